@@ -1,0 +1,84 @@
+# Makefile - "make demo" installs, builds and smooths a face; "make check" installs,
+# builds and runs every test.  Everything built lies in $(BUILD).
+#
+#   make                      build the commands into build/bin
+#   make SANITIZE=address,undefined check      the same in build/address,undefined
+#   make install PREFIX=/usr/local DESTDIR=
+#   make bench                the numbers the project promises (minutes)
+
+include config.mk
+
+CMD = mesh2rect grid2lh lhfft lhinterp lh2grid grid2mesh lhinfo lhdiff mkmesh
+
+BUILD    := build$(if $(SANITIZE),/$(SANITIZE))
+export BUILD
+
+ALL_CPPFLAGS := -D_XOPEN_SOURCE=700 -MMD -MP $(CPPFLAGS)
+ALL_CFLAGS   := -std=c11 $(WARN) $(CFLAGS)
+ALL_CXXFLAGS := -std=c++17 $(WARN) $(CXXFLAGS)
+ifdef SANITIZE
+ALL_CFLAGS   += -fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer
+ALL_CXXFLAGS += -fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer
+LDFLAGS      += -fsanitize=$(SANITIZE)
+endif
+
+LIBOBJ   := $(patsubst %,$(BUILD)/%.o,$(basename $(wildcard format/*.c lib/*.c lib/*.cc)))
+SHARED   := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(CMD:%=cmd/%.c),$(wildcard cmd/*.c)))
+BIN      := $(CMD:%=$(BUILD)/bin/%)
+TESTSRC  := $(wildcard tests/*.c)
+TESTBIN  := $(TESTSRC:%.c=$(BUILD)/%)
+UNIT     := $(filter $(BUILD)/tests/test_%,$(TESTBIN))
+OBJ      := $(LIBOBJ) $(SHARED) $(CMD:%=$(BUILD)/cmd/%.o) $(TESTBIN:%=%.o)
+LIB      := $(BUILD)/liblhgrid.a
+
+all: $(BIN)
+
+tests: $(TESTBIN)
+
+$(BIN): $(BUILD)/bin/%: $(BUILD)/cmd/%.o $(SHARED) $(LIB)
+	@mkdir -p $(@D)
+	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
+$(TESTBIN): %: %.o $(LIB)
+	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
+
+$(LIB): $(LIBOBJ)
+	rm -f $@
+	$(AR) rc $@ $^
+
+$(BUILD)/%.o: %.c config.mk
+	@mkdir -p $(@D)
+	$(CC) $(ALL_CPPFLAGS) $(ALL_CFLAGS) -c -o $@ $<
+
+$(BUILD)/%.o: %.cc config.mk
+	@mkdir -p $(@D)
+	$(CXX) $(ALL_CPPFLAGS) $(ALL_CXXFLAGS) -c -o $@ $<
+
+demo:
+	scripts/deps
+	$(MAKE) all
+	PATH="$(CURDIR)/$(BUILD)/bin:$$PATH" sh examples/smooth.sh
+
+check:
+	scripts/deps --tests
+	$(MAKE) all tests
+	for t in $(UNIT); do $$t || exit 1; done
+	bats tests
+
+bench: all
+	PATH="$(CURDIR)/$(BUILD)/bin:$$PATH" sh scripts/bench
+
+install: all
+	mkdir -p $(DESTDIR)$(PREFIX)/bin
+	install -m 755 $(BIN) $(DESTDIR)$(PREFIX)/bin
+
+uninstall:
+	rm -f $(CMD:%=$(DESTDIR)$(PREFIX)/bin/%)
+
+clean:
+	rm -rf build
+
+.PHONY: all tests demo check bench install uninstall clean
+.SECONDARY: $(OBJ)
+
+-include $(OBJ:.o=.d)
