@@ -1,0 +1,33 @@
+/* rectmap.h - conformal map of a disk onto a rectangle, by two cotangent systems.
+ *
+ * Four corners make the disk a quadrilateral.  u is harmonic, 0 on its left and 1 on its
+ * right side, free on the others; v1 likewise between bottom and top.  The Dirichlet
+ * energies bound the conformal modulus from both sides, E(u) >= T >= 1/E(v1), so
+ *
+ *   T = sqrt(E(u)/E(v1)),   v = T v1,   certificate = sqrt(E(u) E(v1)) - 1 >= 0,
+ *
+ * and the certificate is 0 only for an exactly conformal map (DESIGN section 4).
+ */
+#ifndef RECTMAP_H
+#define RECTMAP_H
+
+#include "mesh.h"
+#include "spd.h"
+
+/* d          the disk
+ * corner     places in the boundary loop, as corners.h gives them
+ * u, v       out  [nv] of each vertex, 0 <= v <= T on the sides
+ * report     out  what CHOLMOD says on failure
+ *
+ * Returns 0, or one of SPD_ENOMEM, SPD_EINDEFINITE, SPD_ELARGE. */
+int rectmap(const Disk *d, const int corner[4], double *u, double *v, double *T,
+	double *certificate, SpdReport *report);
+
+/* y = C x, C the cotangent matrix: C_ij = -(cot a + cot b)/2 over the two angles that
+ * face edge ij, rows summing to 0; <x, C x> is the Dirichlet energy of x. */
+void cotangent_apply(const Mesh *m, const double *x, double *y);
+
+/* Triangles that the map turned over: those with (u,v) area < 0. */
+int rectmap_flipped(const Mesh *m, const double *u, const double *v);
+
+#endif
