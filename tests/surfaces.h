@@ -1,0 +1,99 @@
+/* surfaces.h - conformal immersions whose lambda and H are known in closed form.
+ *
+ * The chart of a test is never square, never has h = k and never T = 1: on such a one an
+ * exchange of u with v or h with k goes unseen.  stereo and enneper have no symmetry in u
+ * or v: where phi_u . phi_uu = 0 a first-order error at the border hides.
+ */
+#ifndef SURFACES_H
+#define SURFACES_H
+
+#include <math.h>
+#include <stddef.h>
+
+#include "../lib/chart.h"
+
+typedef struct Node {
+	double x[3], lambda, H;
+} Node;
+
+typedef Node Immersion(double u, double v);
+
+/* The unit sphere seen from inside: H = +1. */
+static inline Node
+stereo(double u, double v)
+{
+	double x = u + 0.3, y = v + 0.2, r = 1 + x*x + y*y;
+
+	return (Node){ { 2*x/r, 2*y/r, 1 - 2/r }, 2/r, 1 };
+}
+
+/* Radius 2, normal pointing out: H = -1/4. */
+static inline Node
+cylinder(double u, double v)
+{
+	return (Node){ { 2*cos(u), 2*sin(u), 2*v }, 2, -0.25 };
+}
+
+static inline Node
+catenoid(double u, double v)
+{
+	double c = cosh(v - 0.1);
+
+	return (Node){ { c*cos(u), c*sin(u), v - 0.1 }, c, 0 };
+}
+
+static inline Node
+enneper(double u, double v)
+{
+	double x = u - 0.2, y = v + 0.1;
+
+	return (Node){ { x - x*x*x/3 + x*y*y, y - y*y*y/3 + y*x*x, x*x - y*y }, 1 + x*x + y*y, 0 };
+}
+
+static inline Node
+plane(double u, double v)
+{
+	return (Node){ { 3*u, 3*v, 1 }, 3, 0 };
+}
+
+/* Fills phi, lambda, H (any may be NULL) with the surface scaled by s. */
+static inline void
+sample_immersion(Immersion *f, Chart g, double s, double *phi[3], double *lambda, double *H)
+{
+	int i, j, c, p;
+
+	for (p = 0, j = 0; j < g.nv; j++)
+		for (i = 0; i < g.nu; i++, p++) {
+			Node n = f(i*chart_h(g), j*chart_k(g));
+
+			for (c = 0; c < 3 && phi; c++)
+				phi[c][p] = s*n.x[c];
+			if (lambda)
+				lambda[p] = s*n.lambda;
+			if (H)
+				H[p] = n.H/s;
+		}
+}
+
+/* The largest difference of two fields. */
+static inline double
+largest(size_t n, const double *a, const double *b)
+{
+	double max = 0;
+	size_t p;
+
+	for (p = 0; p < n; p++)
+		if (!(fabs(a[p] - b[p]) <= max))
+			max = fabs(a[p] - b[p]);
+	return max;
+}
+
+/* Random numbers in [-1,1], the same at every run. */
+static inline double
+noise(unsigned long long *state)
+{
+	*state = *state*6364136223846793005u + 1442695040888963407u;
+	return (double)(*state >> 11)/(1ull << 52) - 1;
+}
+
+#endif
