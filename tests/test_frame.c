@@ -1,0 +1,141 @@
+/* test_frame.c - the frame method returns the surface whose lambda and H it was given. */
+#include "cmock.h"
+
+#include "../lib/frame.h"
+#include "../lib/lambdah.h"
+#include "surfaces.h"
+
+static const Chart COARSE = { 33, 25, 0.8 }, FINE = { 65, 49, 0.8 };
+enum { MOST = 65*49 };
+
+static double truth[3][MOST], found[3][MOST], lambda[MOST], H[MOST];
+
+static int
+in_band(Chart g, int p)
+{
+	int i = p%g.nu, j = p/g.nu;
+
+	return i < FRAME_BAND || j < FRAME_BAND || i >= g.nu - FRAME_BAND || j >= g.nv - FRAME_BAND;
+}
+
+/* Reconstructs from lambda, H and the band alone; the largest distance to the truth. */
+static double
+reconstruct(Chart g)
+{
+	double *phi[3] = { found[0], found[1], found[2] }, max = 0, d;
+	int p, c, at;
+
+	for (c = 0; c < 3; c++)
+		for (p = 0; p < g.nu*g.nv; p++)
+			found[c][p] = in_band(g, p) ? truth[c][p] : 12345;
+	assert_int_equal(frame_surface(g, lambda, H, phi, &at, NULL), 0);
+	for (p = 0; p < g.nu*g.nv; p++) {
+		for (d = 0, c = 0; c < 3; c++)
+			d += pow(found[c][p] - truth[c][p], 2);
+		if (!(sqrt(d) <= max))
+			max = sqrt(d);
+	}
+	return max;
+}
+
+static double
+from_truth(Immersion *f, Chart g, double s)
+{
+	double *phi[3] = { truth[0], truth[1], truth[2] };
+
+	sample_immersion(f, g, s, phi, lambda, H);
+	return reconstruct(g);
+}
+
+static double
+from_differences(Immersion *f, Chart g)
+{
+	const double *phi[3] = { truth[0], truth[1], truth[2] };
+
+	sample_immersion(f, g, 1, (double **)phi, NULL, NULL);
+	lambdah(g, phi, LAMBDAH_NORMAL, lambda, H);
+	return reconstruct(g);
+}
+
+static void
+second_order(void **state)
+{
+	Immersion *f[] = { stereo, cylinder, catenoid, enneper };
+	size_t i;
+
+	(void)state;
+	for (i = 0; i < sizeof f/sizeof *f; i++) {
+		double coarse = from_truth(f[i], COARSE, 1), fine = from_truth(f[i], FINE, 1);
+
+		assert_true(fine < 5e-4);
+		assert_true(fine < coarse/3);
+		assert_true(from_differences(f[i], FINE) < 5e-4);
+	}
+}
+
+static void
+exact_on_plane(void **state)
+{
+	(void)state;
+	assert_true(from_truth(plane, COARSE, 1) < 1e-10);
+}
+
+static void
+free_of_the_unit_of_length(void **state)
+{
+	double one = from_truth(enneper, COARSE, 1);
+
+	(void)state;
+	assert_true(fabs(from_truth(enneper, COARSE, 1e4)/1e4 - one) < 1e-9);
+	assert_true(fabs(from_truth(enneper, COARSE, 1e-4)*1e4 - one) < 1e-9);
+}
+
+/* The sign of H turns the surface: a wrong one must not go unnoticed. */
+static void
+sign_of_H_matters(void **state)
+{
+	double right = from_truth(stereo, COARSE, 1);
+	int p;
+
+	(void)state;
+	for (p = 0; p < COARSE.nu*COARSE.nv; p++)
+		H[p] = -H[p];
+	assert_true(reconstruct(COARSE) > 20*right);
+}
+
+static void
+flat_band_is_refused(void **state)
+{
+	double *phi[3] = { found[0], found[1], found[2] };
+	int at = -1;
+
+	(void)state;
+	from_truth(stereo, COARSE, 1);
+	memset(found, 0, sizeof found);
+	assert_int_equal(frame_surface(COARSE, lambda, H, phi, &at, NULL), FRAME_EBAND);
+	assert_int_equal(at, COARSE.nu + 1);
+}
+
+static void
+all_band_stays(void **state)
+{
+	const Chart small = { 6, 9, 0.8 };
+
+	(void)state;
+	assert_true(from_truth(stereo, small, 1) == 0);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(second_order),
+		cmocka_unit_test(exact_on_plane),
+		cmocka_unit_test(free_of_the_unit_of_length),
+		cmocka_unit_test(sign_of_H_matters),
+		cmocka_unit_test(flat_band_is_refused),
+		cmocka_unit_test(all_band_stays),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
