@@ -1,0 +1,123 @@
+/* grid2lh - conformal factor and mean curvature of a gridded surface */
+#include <stdlib.h>
+#include <string.h>
+
+#include "../lib/lambdah.h"
+#include "../lib/stats.h"
+#include "cmd.h"
+
+enum { BAND = 3 };      /* rings: what the frame method of lh2grid needs */
+
+static const char text[] =
+"usage: grid2lh [--mean-curvature=normal|magnitude] [--lattice=N | --no-lattice] [GRID] >lh.lhg\n"
+"reads channels x y z; writes lambda H, the boundary band band.x band.y band.z (the three\n"
+"outer rings of x y z) and the lattice start.x start.y start.z (every N/32-th node of x y\n"
+"z, which only tells lh2grid where to start); other channels and metadata pass through\n"
+"  -m, --mean-curvature=normal|magnitude  H from the part of the Laplacian along the\n"
+"                     normal, or from its length (the paper's (26)) [normal]\n"
+"  -l, --lattice=N    about N nodes of start along the shorter side, 2..4096 [33]\n"
+"      --no-lattice   write no start\n"
+CMD_USAGE
+"H is -1 on the unit sphere whose normal, x_u cross x_v, points out.  On the outermost\n"
+"ring lambda and H go on from the rings within.  Under -v: median, mean and maximum of\n"
+"the residual Beltrami coefficient over the inner nodes, 0 where the grid is conformal.\n";
+
+static const struct option longopt[] = {
+	{ "mean-curvature", required_argument, NULL, 'm' },
+	{ "lattice",        required_argument, NULL, 'l' },
+	{ "no-lattice",     no_argument,       NULL, 'L' },
+	CMD_LONGOPT
+};
+
+/* The supports "band" and "start" of a coordinate, each a channel of its own. */
+static void
+add_positions(Lhg *g, const char *prefix, int support, int step, const double *const phi[3])
+{
+	char name[LHG_NAMELEN];
+	int c;
+
+	for (c = 0; c < 3; c++) {
+		snprintf(name, sizeof name, "%s.%c", prefix, "xyz"[c]);
+		lhg_drop(g, name);
+		cmd_add(g, name, "length", support, step);
+		lhg_gather(g, lhg_find(g, name), phi[c]);
+	}
+}
+
+/* Steps between the nodes of a lattice of about n nodes along the shorter side. */
+static int
+lattice_step(const Lhg *g, int n)
+{
+	int cells = (g->nu < g->nv ? g->nu : g->nv) - 1;
+
+	return cells > n - 1 ? cells/(n - 1) : 1;
+}
+
+static void
+report_beltrami(const CmdInput *in, Chart g, const double *const phi[3])
+{
+	size_t n = (size_t)(g.nu - 2)*(g.nv - 2);
+	double *mu = cmd_alloc(n, sizeof *mu);
+
+	beltrami(g, phi, mu);
+	detail("%s: residual Beltrami coefficient: median %.3g, mean %.3g, max %.3g",
+	    in->name, stats_median(n, mu), stats_mean(n, mu), stats_max(n, mu));
+	free(mu);
+}
+
+/* One grid: x y z out, lambda H band start in. */
+static void
+convert(const CmdInput *in, Lhg *g, int curvature, int lattice)
+{
+	const char *const name[3] = { "x", "y", "z" };
+	Chart chart = { g->nu, g->nv, g->T };
+	const double *phi[3];
+	double *lambda, *H;
+	int c, raised;
+
+	if (g->nu < 4 || g->nv < 4)
+		die("%s: %d x %d nodes, need at least 4 x 4", in->name, g->nu, g->nv);
+	for (c = 0; c < 3; c++)
+		phi[c] = cmd_need(in, g, name[c], LHG_GRID);
+	report_beltrami(in, chart, phi);
+	lhg_drop(g, "lambda");
+	lhg_drop(g, "H");
+	lambda = cmd_add(g, "lambda", "length", LHG_GRID, 0);
+	H = cmd_add(g, "H", "1/length", LHG_GRID, 0);
+	raised = lambdah(chart, phi, curvature, lambda, H);
+	if (!(lambda[0] > 0))
+		die("%s: the surface has no extent", in->name);
+	if (raised)
+		detail("%s: %d of %d nodes have hardly a tangent plane", in->name, raised, g->nu*g->nv);
+	add_positions(g, "band", LHG_BORDER, BAND, phi);
+	if (lattice)
+		add_positions(g, "start", LHG_LATTICE, lattice_step(g, lattice), phi);
+	for (c = 0; c < 3; c++)
+		lhg_drop(g, name[c]);
+}
+
+int
+main(int argc, char *argv[])
+{
+	int opt, curvature = LAMBDAH_NORMAL, lattice = 33;
+	CmdInput in;
+	Lhg g;
+
+	cmd_begin("grid2lh", text);
+	while ((opt = cmd_getopt(argc, argv, "m:l:", longopt)) != -1)
+		switch (opt) {
+		case 'm': curvature = opt_word(optarg, "normal\0magnitude\0", "mean-curvature"); break;
+		case 'l': lattice = opt_long(optarg, 2, 4096, "lattice"); break;
+		case 'L': lattice = 0; break;
+		}
+	cmd_operands(argc, argv, 0, 1);
+	cmd_binary_output();
+
+	cmd_open(&in, argv[optind]);
+	while (cmd_read(&in, &g)) {
+		convert(&in, &g, curvature, lattice);
+		cmd_write(&g);
+		lhg_free(&g);
+	}
+	return cmd_end();
+}

@@ -1,0 +1,31 @@
+/* load.c - mesh files for the commands that read them. */
+#include <stdlib.h>
+
+#include "../lib/disk.h"
+#include "../lib/meshfile.h"
+#include "cmd.h"
+#include "load.h"
+
+void
+load_soup(const char *path, Soup *s)
+{
+	size_t n;
+	char *bytes = cmd_slurp(path, &n);
+
+	if (meshfile_parse(s, bytes, n))
+		die("%s: %s", cmd_name_of(path), s->err);
+	free(bytes);
+}
+
+void
+load_disk(const char *path, Disk *d)
+{
+	Soup s;
+
+	load_soup(path, &s);
+	if (disk_from_soup(d, &s))
+		die("%s: %s", cmd_name_of(path), d->err);
+	if (d->note[0])
+		note("%s: %s", cmd_name_of(path), d->note);
+	soup_free(&s);
+}
