@@ -1,0 +1,133 @@
+/* lhg.h - read and write streams of .lhg grids (specification: LHG.md).
+ *
+ * A grid is nu x nv nodes of the chart [0,1] x [0,T].  Node (i,j), 0 <= i < nu,
+ * 0 <= j < nv, lies at (u,v) = (i*h, j*k), h = 1/(nu-1), k = T/(nv-1).  A channel
+ * holds one double for every node of its support; node (i,j) of a channel with
+ * support LHG_GRID is element j*nu + i.
+ *
+ * Nothing here prints or exits.  A function that can fail returns one of the
+ * negative codes below and, where it has a stream, leaves one line of
+ * explanation in its err: what is wrong, and where.
+ */
+#ifndef LHG_H
+#define LHG_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+enum {
+	LHG_EIO    = -1,        /* read or write failed; errno says why */
+	LHG_ENOMEM = -2,
+	LHG_EMAGIC = -3,        /* input is empty, not .lhg at all, or of another version */
+	LHG_EHEAD  = -4,        /* header malformed, or its CRC is wrong */
+	LHG_ESHORT = -5,        /* input ends inside a grid, or before the last frame */
+	LHG_EDATA  = -6,        /* a channel's CRC, its padding, the end mark or what follows is wrong */
+	LHG_EVALUE = -7,        /* a sample is NaN or infinite */
+	LHG_ELIMIT = -8,        /* a size, count, name or text outside the limits of LHG.md */
+	LHG_EORDER = -9         /* a frame missing, doubled, out of order or of another stream */
+};
+
+enum {
+	LHG_MINN = 2, LHG_MAXN = 32768,         /* nodes in one direction */
+	LHG_MAXCHAN = 64,
+	LHG_NAMELEN = 32,                       /* of names and units, with the final NUL */
+	LHG_KEYLEN = 64,                        /* of metadata keys, with the final NUL */
+	LHG_MAXFRAMES = 1000000,
+	LHG_MAXLINE = 4000,                     /* bytes of one header line, without its LF */
+	LHG_MAXHEAD = 65536                     /* bytes of one header */
+};
+
+/* Which nodes a channel covers, in row order (j slowest, i fastest). */
+enum {
+	LHG_GRID,               /* all */
+	LHG_BORDER,             /* less than `step` steps from the edge */
+	LHG_LATTICE             /* i and j multiples of `step` */
+};
+
+typedef struct LhgChannel {
+	char    name[LHG_NAMELEN];
+	char    unit[LHG_NAMELEN];      /* "length", "1/length", "1" */
+	int     support, step;          /* step is 0 for LHG_GRID */
+	size_t  n;                      /* samples, = lhg_count(...) */
+	double *f;                      /* owned */
+} LhgChannel;
+
+typedef struct Lhg {
+	int        nu, nv;              /* nodes, LHG_MINN .. LHG_MAXN each */
+	double     T;                   /* height of the chart, > 0 */
+	int        frame, frames;       /* this is grid `frame` of `frames`, from 1 */
+	int        nchan;
+	LhgChannel chan[LHG_MAXCHAN];
+	char      *meta;                /* "key value\n" for each datum, or NULL */
+	char      *hist;                /* one step "text\n" each, oldest first, or NULL */
+} Lhg;
+
+/* One direction of one stream.  Set up by lhg_open, read the fields only. */
+typedef struct LhgStream {
+	FILE     *f;
+	int       frame, frames;        /* of the last grid that passed; 0 0 before */
+	uint32_t  crc;                  /* of the last grid that passed; see LHG.md, frame */
+	long      grids;                /* that have passed */
+	int       ahead;                /* reader: the magic of the next grid is taken already */
+	char      err[256];
+} LhgStream;
+
+/* Start an empty grid: no channels, frame 1 of 1. */
+void lhg_init(Lhg *g, int nu, int nv, double T);
+
+/* Release everything g owns and leave it empty; allowed twice. */
+void lhg_free(Lhg *g);
+
+/* The number of nodes of a support, or 0 if step does not suit it (0 for
+ * LHG_GRID, 1 .. max(nu,nv)-1 for the others) or a size is out of range. */
+size_t lhg_count(int nu, int nv, int support, int step);
+
+/* The channel of that name, or NULL. */
+LhgChannel *lhg_find(const Lhg *g, const char *name);
+
+/* Append a channel of zeros.  Returns its samples, or NULL: no memory, no room
+ * (LHG_MAXCHAN), or name, unit or step not as LHG.md allows, or name taken. */
+double *lhg_add(Lhg *g, const char *name, const char *unit, int support, int step);
+
+/* Remove the channel of that name, if there is one. */
+void lhg_drop(Lhg *g, const char *name);
+
+/* The samples of c picked from a whole grid f[nu*nv], or set back into it
+ * (nodes outside the support are left alone). */
+void lhg_gather(const Lhg *g, LhgChannel *c, const double *f);
+void lhg_scatter(const Lhg *g, const LhgChannel *c, double *f);
+
+/* Set, replace in its place or (value NULL) remove the datum of that key.  Returns
+ * 0, LHG_ENOMEM, or LHG_ELIMIT: key or value not as LHG.md 2.3 allows (key: letters,
+ * digits and . _ + -; value: UTF-8, not empty, no control character, no space at
+ * either end); then nothing has changed. */
+int lhg_setmeta(Lhg *g, const char *key, const char *value);
+
+/* The value of key, as long as it fits in n bytes (it is cut if not), or NULL. */
+const char *lhg_getmeta(const Lhg *g, const char *key, char *value, size_t n);
+
+/* Append one step to the history.  Every byte that is a control character or not
+ * UTF-8 becomes '?', spaces at the ends go, a line longer than LHG.md allows is cut and
+ * ends in "...", an empty one becomes "?".  Returns 0 or LHG_ENOMEM. */
+int lhg_note(Lhg *g, const char *step);
+
+/* Read from or write to f, which stays the caller's. */
+void lhg_open(LhgStream *s, FILE *f);
+
+/* Read the next grid and its end mark; after the last frame of a set also look at
+ * what follows: nothing, or the magic of another grid (which waits, on a pipe, until
+ * one or the other is there).  g needs no lhg_init.
+ *
+ * Returns 1 with a grid in g (lhg_free it), 0 at the end of a whole stream, or a
+ * negative code; then g holds nothing, and the stream is to be given up.  An input
+ * without any grid is LHG_EMAGIC, one that ends after frame k < n of n is LHG_ESHORT, which
+ * the call after that frame returns.  Memory grows with the bytes that arrive. */
+int lhg_read(LhgStream *s, Lhg *g);
+
+/* Write g as the next grid and flush.  Everything is checked before the first
+ * byte goes out; g->frame must follow the grid written before.  Returns 0 or a
+ * negative code; after LHG_EIO the stream is to be given up. */
+int lhg_write(LhgStream *s, const Lhg *g);
+
+#endif

@@ -1,0 +1,178 @@
+/* lhgrule.c - the rules for what a header says: spellings and limits.  Section numbers:
+ * LHG.md. */
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "lhgpriv.h"
+
+/* ---- spellings ------------------------------------------------------- */
+
+int
+lhg_goodname(const char *p, size_t n, size_t size, const char *extra)
+{
+	size_t i;
+
+	for (i = 0; i < n; i++)
+		if (!((p[i] >= 'A' && p[i] <= 'Z') || (p[i] >= 'a' && p[i] <= 'z') ||
+		    (p[i] >= '0' && p[i] <= '9') || (p[i] && strchr("._+-", p[i])) ||
+		    (p[i] && strchr(extra, p[i]))))
+			return 0;
+	return n > 0 && n < size;
+}
+
+size_t
+lhg_utf8(const char *p, size_t n)
+{
+	static const uint32_t least[] = { 0, 0, 0xa0, 0x800, 0x10000 };
+	const unsigned char *s = (const unsigned char *)p;
+	size_t len = s[0] >= 0xf0 ? 4 : s[0] >= 0xe0 ? 3 : 2, i;
+	uint32_t c;
+
+	if (s[0] < 0x80)
+		return s[0] >= 0x20 && s[0] < 0x7f;
+	if (s[0] < 0xc2 || s[0] > 0xf4 || n < len)
+		return 0;
+	for (c = s[0] & (0x7fu >> len), i = 1; i < len; i++) {
+		if ((s[i] & 0xc0) != 0x80)
+			return 0;
+		c = c << 6 | (s[i] & 0x3f);
+	}
+	return c < least[len] || c > 0x10ffff || (c >= 0xd800 && c < 0xe000) ? 0 : len;
+}
+
+int
+lhg_goodtext(const char *p, size_t n)
+{
+	size_t i, len;
+
+	if (n == 0 || p[0] == ' ' || p[n-1] == ' ')
+		return 0;
+	for (i = 0; i < n; i += len)
+		if (!(len = lhg_utf8(p + i, n - i)))
+			return 0;
+	return 1;
+}
+
+/* The locale may have another decimal point than '.', of several bytes. */
+void
+lhg_putheight(char text[LHG_HEIGHTLEN], double T)
+{
+	char s[LHG_HEIGHTLEN];
+	const char *p;
+	int digits = 15;
+
+	do
+		snprintf(s, sizeof s, "%.*g", digits, T);
+	while (strtod(s, NULL) != T && ++digits <= 17);
+	for (p = s; *p; p++)
+		if (strchr("0123456789e+-", *p))
+			*text++ = *p;
+		else if (p == s || text[-1] != '.')
+			*text++ = '.';
+	*text = '\0';
+}
+
+double
+lhg_getheight(const char *p, size_t n)
+{
+	char point[16], s[LHG_HEIGHTLEN + 16], *t = s;
+	size_t i;
+
+	snprintf(point, sizeof point, "%.1f", 0.0);             /* 0, the point, 0 */
+	point[strlen(point) - 1] = '\0';
+	if (n == 0 || n >= LHG_HEIGHTLEN || p[0] < '0' || p[0] > '9')
+		return 0;
+	for (i = 0; i < n; i++)
+		if (p[i] && strchr("0123456789e+-", p[i]))
+			*t++ = p[i];
+		else if (p[i] == '.' && !memchr(p, '.', i))
+			t += strlen(strcpy(t, point + 1));
+		else
+			return 0;
+	*t = '\0';
+	return strtod(s, &t);
+}
+
+/* ---- limits ---------------------------------------------------------- */
+
+/* 2.2: channel number c. */
+static int
+checkchannel(LhgStream *s, const Lhg *g, int c)
+{
+	const LhgChannel *ch = &g->chan[c];
+	size_t n = lhg_count(g->nu, g->nv, ch->support, ch->step);
+
+	if (!memchr(ch->name, '\0', LHG_NAMELEN) || !lhg_goodname(ch->name, strlen(ch->name), LHG_NAMELEN, ""))
+		return lhg_fail(s, g, LHG_ELIMIT, "the name of channel %d is not 1 to %d letters, digits or ._+-",
+		    c + 1, LHG_NAMELEN - 1);
+	if (!memchr(ch->unit, '\0', LHG_NAMELEN) || !lhg_goodname(ch->unit, strlen(ch->unit), LHG_NAMELEN, "/^*"))
+		return lhg_fail(s, g, LHG_ELIMIT, "the unit of channel %s is not 1 to %d letters, digits or ._+-/^*",
+		    ch->name, LHG_NAMELEN - 1);
+	if (lhg_find(g, ch->name) != ch)
+		return lhg_fail(s, g, LHG_ELIMIT, "channel %s is there twice", ch->name);
+	if (n == 0)
+		return lhg_fail(s, g, LHG_ELIMIT, "the support of channel %s does not suit a grid of %d x %d nodes",
+		    ch->name, g->nu, g->nv);
+	if (ch->n != n)
+		return lhg_fail(s, g, LHG_ELIMIT, "channel %s has %zu samples, its support %zu", ch->name, ch->n, n);
+	return 0;
+}
+
+/* 2.3, 2.4: every line of text is fine behind a word of w bytes. */
+static int
+checklines(LhgStream *s, const Lhg *g, const char *text, const char *what, size_t w)
+{
+	const char *p, *end;
+	int no = 1;
+
+	for (p = text; p && *p; p = end + 1, no++)
+		if (!(end = strchr(p, '\n')) || w + (size_t)(end - p) > LHG_MAXLINE ||
+		    !lhg_goodtext(p, (size_t)(end - p)))
+			return lhg_fail(s, g, LHG_ELIMIT, "%s line %d is not text, or too long", what, no);
+	return 0;
+}
+
+/* 2.3: keys, of lines that are fine. */
+static int
+checkkeys(LhgStream *s, const Lhg *g)
+{
+	const char *p, *q;
+	size_t n;
+	int no = 1;
+
+	for (p = g->meta; p && *p; p = strchr(p, '\n') + 1, no++) {
+		n = strcspn(p, " \n");
+		if (!lhg_goodname(p, n, LHG_KEYLEN, "") || p[n] != ' ' || p[n+1] == ' ')
+			return lhg_fail(s, g, LHG_ELIMIT, "meta line %d is not a key and a value", no);
+		for (q = g->meta; q < p; q = strchr(q, '\n') + 1)
+			if (strncmp(p, q, n + 1) == 0)
+				return lhg_fail(s, g, LHG_ELIMIT, "meta key %.*s is there twice", (int)n, p);
+	}
+	return 0;
+}
+
+int
+lhg_check(LhgStream *s, const Lhg *g)
+{
+	int c, e = 0;
+
+	if (g->nu < LHG_MINN || g->nu > LHG_MAXN || g->nv < LHG_MINN || g->nv > LHG_MAXN)
+		return lhg_fail(s, g, LHG_ELIMIT, "size is not %d to %d nodes each way", LHG_MINN, LHG_MAXN);
+	if (!(g->T > 0) || !isfinite(g->T))
+		return lhg_fail(s, g, LHG_ELIMIT, "height is not a positive number");
+	if (g->frame < 1 || g->frame > g->frames || g->frames > LHG_MAXFRAMES)
+		return lhg_fail(s, g, LHG_ELIMIT, "frame and number of frames are not 1 <= k <= n <= %d", LHG_MAXFRAMES);
+	if (g->nchan < 1 || g->nchan > LHG_MAXCHAN)
+		return lhg_fail(s, g, LHG_ELIMIT, "number of channels is not 1 to %d", LHG_MAXCHAN);
+	for (c = 0; !e && c < g->nchan; c++)
+		e = checkchannel(s, g, c);
+	if (!e)
+		e = checklines(s, g, g->meta, "meta", strlen("meta "));
+	if (!e)
+		e = checkkeys(s, g);
+	if (!e)
+		e = checklines(s, g, g->hist, "history", strlen("history "));
+	return e;
+}
