@@ -1,0 +1,80 @@
+/* mesh.c - owning, freeing and measuring meshes; errors of the mesh files. */
+#include <math.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "meshpriv.h"
+
+int
+mesh_fail(char err[MESH_ERRLEN], int code, const char *fmt, ...)
+{
+	va_list ap;
+
+	va_start(ap, fmt);
+	vsnprintf(err, MESH_ERRLEN, fmt, ap);
+	va_end(ap);
+	return code;
+}
+
+void *
+mesh_alloc(char err[MESH_ERRLEN], size_t n, size_t size)
+{
+	void *p = NULL;
+
+	if (n <= SIZE_MAX / 2 / size)
+		p = malloc(n ? n * size : 1);
+	if (!p)
+		mesh_fail(err, MESH_ENOMEM, "no memory for %zu x %zu bytes", n, size);
+	return p;
+}
+
+void
+soup_free(Soup *s)
+{
+	free(s->xyz);
+	free(s->first);
+	free(s->idx);
+	s->xyz = NULL;
+	s->first = s->idx = NULL;
+	s->nv = s->nf = 0;
+}
+
+void
+mesh_free(Mesh *m)
+{
+	free(m->xyz);
+	free(m->tri);
+	m->xyz = NULL;
+	m->tri = NULL;
+	m->nv = m->nf = 0;
+}
+
+void
+disk_free(Disk *d)
+{
+	mesh_free(&d->m);
+	free(d->loop);
+	d->loop = NULL;
+	d->nb = 0;
+}
+
+double
+mesh_area(const Mesh *m)
+{
+	double u[3], v[3], sum = 0;
+	int f, c;
+
+	for (f = 0; f < m->nf; f++) {
+		const int *t = m->tri + 3*(size_t)f;
+		const double *a = m->xyz + 3*(size_t)t[0];
+		const double *b = m->xyz + 3*(size_t)t[1], *e = m->xyz + 3*(size_t)t[2];
+
+		for (c = 0; c < 3; c++)
+			u[c] = b[c] - a[c], v[c] = e[c] - a[c];
+		sum += hypot(hypot(u[1]*v[2] - u[2]*v[1], u[2]*v[0] - u[0]*v[2]),
+		    u[0]*v[1] - u[1]*v[0]) / 2;
+	}
+	return sum;
+}

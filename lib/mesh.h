@@ -1,0 +1,57 @@
+/* mesh.h - surfaces as arrays: a polygon soup as files hold it, a triangle mesh,
+ * and a disk, the only kind that can be mapped onto a rectangle.
+ *
+ * Vertices and faces are counted from 0 here and in every message.
+ */
+#ifndef MESH_H
+#define MESH_H
+
+#include <stddef.h>
+
+enum {
+	MESH_ENOMEM  = -1,
+	MESH_EFORMAT = -2,      /* not a mesh file that we read, or damaged; err says where */
+	MESH_EINDEX  = -3,      /* a face names a vertex that does not exist */
+	MESH_EVALUE  = -4,      /* a coordinate is NaN or infinite */
+	MESH_EFACE   = -5,      /* a face cannot be split into triangles of some area */
+	MESH_EMANIFOLD = -6,    /* an edge of three faces, or a vertex where fans only touch */
+	MESH_EORIENT = -7,      /* one-sided: no consistent orientation */
+	MESH_EDISK   = -8       /* closed, several loops or components, or handles */
+};
+
+enum { MESH_ERRLEN = 256 };
+
+/* Polygons as they come.  Face f has the corners idx[first[f]] .. idx[first[f+1]-1]. */
+typedef struct Soup {
+	int     nv, nf;
+	double *xyz;            /* [nv][3] */
+	int    *first;          /* [nf+1] */
+	int    *idx;
+	char    err[MESH_ERRLEN];
+} Soup;
+
+typedef struct Mesh {
+	int     nv, nf;
+	double *xyz;            /* [nv][3] */
+	int    *tri;            /* [nf][3], counterclockwise seen from where the normal points */
+} Mesh;
+
+/* A mesh that is connected, manifold, oriented and has one boundary loop and no
+ * handle; every vertex belongs to a face. */
+typedef struct Disk {
+	Mesh m;
+	int  nb;
+	int *loop;              /* [nb] the boundary, counterclockwise (faces on its left),
+	                         * beginning at its lowest vertex number */
+	char note[MESH_ERRLEN]; /* what was repaired, "" if nothing was */
+	char err[MESH_ERRLEN];
+} Disk;
+
+void soup_free(Soup *s);
+void mesh_free(Mesh *m);
+void disk_free(Disk *d);
+
+/* Area of all triangles. */
+double mesh_area(const Mesh *m);
+
+#endif

@@ -1,0 +1,191 @@
+/* ply.c - the data of a PLY file. */
+#include <math.h>
+#include <string.h>
+
+#include "plypriv.h"
+
+/* Where we are, for messages and strips. */
+typedef struct Record {
+	Ply *p;
+	const PlyElem *e;
+	long long i;
+	long long a, b, turn;   /* of a strip: the last two corners, how many since a restart */
+	double x[3];
+} Record;
+
+static int
+cut(Record *c)
+{
+	static const char *const what[] = { "", "vertex", "face", "strip" };
+	char show[SCAN_SHOW];
+
+	return soup_cut(c->p->r, c->e->kind ? what[c->e->kind] : scan_show(c->e->name, show),
+	    c->i, c->e->n);
+}
+
+/* The next value; integers of 32 bits are exact in a double. */
+static int
+value(Record *c, const PlyType *type, double *x)
+{
+	Reader *r = c->p->r;
+	const int big = c->p->format == PLY_BIG;
+	char show[SCAN_SHOW];
+	long long w;
+	Token t;
+
+	if (c->p->format == PLY_ASCII) {
+		if (!scan_token(r, &t))
+			return cut(c);
+		if (!scan_number(t, x))
+			return mesh_fail(r->s->err, MESH_EFORMAT, "line %ld: '%s' is not a number",
+			    r->line, scan_show(t, show));
+		return 0;
+	}
+	if (scan_left(r) < (size_t)type->size)
+		return cut(c);
+	if (type->kind == 'f') {
+		*x = scan_float(r->p, type->size, big);
+	} else {
+		w = (long long)scan_bytes(r->p, type->size, big);
+		if (type->kind == 'i' && w >> (8*type->size - 1))
+			w -= 1LL << 8*type->size;
+		*x = (double)w;
+	}
+	r->p += type->size;
+	return 0;
+}
+
+static int
+whole(Record *c, double x, double lo)
+{
+	if (x >= lo && x <= 1e15 && floor(x) == x)
+		return 0;
+	return mesh_fail(c->p->r->s->err, MESH_EFORMAT, "%.*s %lld has %g where a whole number belongs",
+	    c->e->name.n < 32 ? (int)c->e->name.n : 32, c->e->name.s, c->i, x);
+}
+
+/* A corner of a strip makes a triangle with the two before; every second one stands the
+ * other way round, -1 begins anew, and triangles without area only turn the strip. */
+static int
+strip(Record *c, long long k)
+{
+	Reader *r = c->p->r;
+	const int odd = c->turn % 2 == 1;
+	int e = 0;
+
+	if (k == -1) {
+		c->turn = 0;
+		return 0;
+	}
+	if (c->turn >= 2 && k != c->a && k != c->b && c->a != c->b)
+		if ((e = soup_corner(r, odd ? c->b : c->a)) != 0 ||
+		    (e = soup_corner(r, odd ? c->a : c->b)) != 0 ||
+		    (e = soup_corner(r, k)) != 0 || (e = soup_face(r)) != 0)
+			return e;
+	c->a = c->b;
+	c->b = k;
+	c->turn++;
+	return 0;
+}
+
+static int
+item(Record *c, const PlyProp *q)
+{
+	double x;
+	int e;
+
+	if ((e = value(c, q->type, &x)) != 0)
+		return e;
+	if (q->use == PLY_SKIP)
+		return 0;
+	if ((e = whole(c, x, c->e->kind == PLY_STRIP ? -1 : -1e15)) != 0)
+		return e;
+	return c->e->kind == PLY_STRIP ? strip(c, (long long)x) : soup_corner(c->p->r, (long long)x);
+}
+
+static int
+list(Record *c, const PlyProp *q)
+{
+	long long k, n;
+	double x;
+	int e;
+
+	if ((e = value(c, q->count, &x)) != 0 || (e = whole(c, x, 0)) != 0)
+		return e;
+	for (n = (long long)x, c->turn = 0, k = 0; k < n; k++)
+		if ((e = item(c, q)) != 0)
+			return e;
+	return 0;
+}
+
+static int
+record(Record *c)
+{
+	double x;
+	int e, i;
+
+	for (i = c->e->p0; i < c->e->p1; i++) {
+		const PlyProp *q = &c->p->prop[i];
+
+		e = q->count ? list(c, q) : value(c, q->type, &x);
+		if (e)
+			return e;
+		if (!q->count && q->use != PLY_SKIP)
+			c->x[q->use] = x;
+	}
+	if (c->e->kind == PLY_VERTEX)
+		return soup_vertex(c->p->r, c->x);
+	return c->e->kind == PLY_FACE ? soup_face(c->p->r) : 0;
+}
+
+/* Room for all that the element can make of the bytes left. */
+static int
+reserve(Ply *p, const PlyElem *e)
+{
+	static const char *const what[] = { "records", "vertices", "faces", "strips" };
+	const size_t least = ply_least(p, e), left = scan_left(p->r) + (p->format == PLY_ASCII);
+	size_t item = 2, tri;
+	int err, i;
+
+	if ((err = soup_promise(p->r, what[e->kind], e->n, left / least)) != 0)
+		return err;
+	if (e->kind == PLY_VERTEX)
+		return soup_reserve(p->r, (size_t)e->n, 0, 0);
+	if (e->kind == PLY_FACE)
+		return soup_reserve(p->r, 0, (size_t)e->n, 0);
+	if (e->kind == PLY_OTHER)
+		return 0;
+	for (i = e->p0; i < e->p1; i++)
+		if (p->prop[i].use == PLY_CORNERS && p->format != PLY_ASCII)
+			item = (size_t)p->prop[i].type->size;
+	tri = left / item;
+	return soup_reserve(p->r, 0, tri, 3*tri);
+}
+
+int
+ply_read(Reader *r)
+{
+	Ply p = { .r = r };
+	Record c = { .p = &p };
+	int e, i;
+
+	if ((e = ply_header(&p)) != 0)
+		return e;
+	for (i = 0; i < p.ne; i++) {
+		c.e = &p.elem[i];
+		if (c.e->p0 == c.e->p1 && c.e->kind == PLY_OTHER)
+			continue;               /* records of nothing */
+		if ((e = reserve(&p, c.e)) != 0)
+			return e;
+		for (c.i = 0; c.i < c.e->n; c.i++)
+			if ((e = record(&c)) != 0)
+				return e;
+	}
+	if (p.format == PLY_ASCII)
+		while (r->p < r->end && strchr(" \t\r\n\v\f", *r->p) && *r->p)
+			r->p++;
+	if (r->p < r->end)
+		return mesh_fail(r->s->err, MESH_EFORMAT, "%zu bytes follow the last record",
+		    scan_left(r));
+	return 0;
+}

@@ -1,0 +1,43 @@
+/* plypriv.h - the header of a PLY file.  Private to lib/. */
+#ifndef PLYPRIV_H
+#define PLYPRIV_H
+
+#include "meshpriv.h"
+
+enum { PLY_ASCII, PLY_LITTLE, PLY_BIG };
+enum { PLY_OTHER, PLY_VERTEX, PLY_FACE, PLY_STRIP };    /* kinds of elements */
+enum { PLY_SKIP = -1, PLY_CORNERS = 3 };                /* uses of a property; 0 1 2: x y z */
+enum { PLY_MAXELEM = 32, PLY_MAXPROP = 256 };
+
+typedef struct PlyType {
+	const char *name, *alias;
+	int size, kind;         /* 'u' unsigned, 'i' signed, 'f' floating */
+} PlyType;
+
+typedef struct PlyProp {
+	const PlyType *type, *count;    /* count: of a list, else NULL */
+	int use;
+} PlyProp;
+
+typedef struct PlyElem {
+	Token name;
+	int kind;
+	long long n;            /* records promised */
+	int p0, p1;             /* properties p0 .. p1-1 */
+} PlyElem;
+
+typedef struct Ply {
+	Reader *r;
+	int format, ne, np;
+	PlyElem elem[PLY_MAXELEM];
+	PlyProp prop[PLY_MAXPROP];
+} Ply;
+
+/* Read up to the first byte of the data.  Returns 0 or MESH_EFORMAT. */
+int ply_header(Ply *p);
+
+/* The least a record of e takes; in ASCII two for each value, though the last value of a
+ * file may lack its blank. */
+size_t ply_least(const Ply *p, const PlyElem *e);
+
+#endif

@@ -1,0 +1,142 @@
+/* soup.c - growing a polygon soup while its file is read. */
+#include <limits.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "meshpriv.h"
+
+/* Make room for n things at *a; cap counts the room there is. */
+static int
+grow(Reader *r, void **a, size_t *cap, size_t n, size_t size)
+{
+	void *b;
+
+	if (n <= *cap)
+		return 0;
+	b = n <= SIZE_MAX / 2 / size ? realloc(*a, n * size) : NULL;
+	if (!b)
+		return mesh_fail(r->s->err, MESH_ENOMEM, "no memory for %zu x %zu bytes", n, size);
+	*a = b;
+	*cap = n;
+	return 0;
+}
+
+/* One of the arrays: room for n more than have, by exact demand or by doubling. */
+static int
+growv(Reader *r, size_t n)
+{
+	void *a = r->s->xyz;
+	int e = grow(r, &a, &r->capv, n, 3 * sizeof(double));
+
+	r->s->xyz = a;
+	return e;
+}
+
+static int
+growf(Reader *r, size_t n)
+{
+	void *a = r->s->first;
+	int e = grow(r, &a, &r->capf, n, sizeof(int));
+
+	r->s->first = a;
+	return e;
+}
+
+static int
+growi(Reader *r, size_t n)
+{
+	void *a = r->s->idx;
+	int e = grow(r, &a, &r->capi, n, sizeof(int));
+
+	r->s->idx = a;
+	return e;
+}
+
+/* The arrays are never left NULL, also when they hold nothing. */
+int
+soup_reserve(Reader *r, size_t nv, size_t nf, size_t ni)
+{
+	int e;
+
+	if ((e = growv(r, r->s->nv + nv + 1)) != 0 || (e = growf(r, r->s->nf + nf + 1)) != 0)
+		return e;
+	if ((e = growi(r, r->ni + ni + 1)) != 0)
+		return e;
+	r->s->first[0] = 0;
+	return 0;
+}
+
+static int
+full(Reader *r, const char *what)
+{
+	return mesh_fail(r->s->err, MESH_EFORMAT, "more than %d %s", INT_MAX - 1, what);
+}
+
+int
+soup_vertex(Reader *r, const double x[3])
+{
+	size_t n = (size_t)r->s->nv;
+	int e, c;
+
+	if (n >= INT_MAX - 1)
+		return full(r, "vertices");
+	if (n == r->capv && (e = growv(r, 2*n + 1)) != 0)
+		return e;
+	for (c = 0; c < 3; c++) {
+		if (!isfinite(x[c]))
+			return mesh_fail(r->s->err, MESH_EVALUE,
+			    "vertex %d has a coordinate that is not finite", r->s->nv);
+		r->s->xyz[3*n + (size_t)c] = x[c];
+	}
+	r->s->nv++;
+	return 0;
+}
+
+int
+soup_corner(Reader *r, long long i)
+{
+	int e;
+
+	if (r->ni >= INT_MAX - 1)
+		return full(r, "corners");
+	if (i < 0 || i > INT_MAX)
+		return mesh_fail(r->s->err, MESH_EINDEX, "face %d names vertex %lld of %d",
+		    r->s->nf, i, r->s->nv);
+	if (r->ni == r->capi && (e = growi(r, 2*r->ni + 1)) != 0)
+		return e;
+	r->s->idx[r->ni++] = (int)i;
+	return 0;
+}
+
+int
+soup_face(Reader *r)
+{
+	size_t n = (size_t)r->s->nf + 1;
+	int e;
+
+	if (n >= INT_MAX - 1)
+		return full(r, "faces");
+	if (n == r->capf && (e = growf(r, 2*n)) != 0)
+		return e;
+	r->s->first[n] = (int)r->ni;
+	r->s->nf++;
+	return 0;
+}
+
+int
+soup_promise(Reader *r, const char *what, long long count, size_t room)
+{
+	if (count < 0)
+		return mesh_fail(r->s->err, MESH_EFORMAT, "header promises %lld %s", count, what);
+	if ((unsigned long long)count > room)
+		return mesh_fail(r->s->err, MESH_EFORMAT,
+		    "header promises %lld %s, file has room for %zu", count, what, room);
+	return count >= INT_MAX - 1 ? full(r, what) : 0;
+}
+
+int
+soup_cut(Reader *r, const char *what, long long i, long long count)
+{
+	return mesh_fail(r->s->err, MESH_EFORMAT, "file ends in %s %lld of %lld", what, i, count);
+}

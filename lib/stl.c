@@ -1,0 +1,138 @@
+/* stl.c - STL, ASCII and binary: triangles with corners of their own. */
+#include <string.h>
+
+#include "meshpriv.h"
+
+enum { HEAD = 84, EACH = 50 };
+
+/* Binary files are known by their size, since many begin with "solid" as well. */
+int
+stl_isbinary(const char *p, size_t n)
+{
+	return n >= HEAD && (n - HEAD) % EACH == 0 && (n - HEAD) / EACH == scan_bytes(p + 80, 4, 0);
+}
+
+static int
+triangle(Reader *r)
+{
+	int c, e;
+
+	for (c = 3; c > 0; c--)
+		if ((e = soup_corner(r, r->s->nv - c)) != 0)
+			return e;
+	return soup_face(r);
+}
+
+static int
+binary(Reader *r)
+{
+	const size_t n = (scan_left(r) - HEAD) / EACH;
+	double x[3];
+	int c, e, k;
+
+	if ((e = soup_promise(r, "triangles", (long long)n, n)) != 0 ||
+	    (e = soup_reserve(r, 3*n, n, 3*n)) != 0)
+		return e;
+	for (r->p += HEAD; r->p < r->end; r->p += EACH) {
+		for (k = 1; k <= 3; k++) {              /* 0 is the normal */
+			for (c = 0; c < 3; c++)
+				x[c] = scan_float(r->p + 12*k + 4*c, 4, 0);
+			if ((e = soup_vertex(r, x)) != 0)
+				return e;
+		}
+		if ((e = triangle(r)) != 0)
+			return e;
+	}
+	return 0;
+}
+
+static int
+expect(Reader *r, const char *word)
+{
+	char show[SCAN_SHOW];
+	Token t;
+
+	if (!scan_token(r, &t))
+		return mesh_fail(r->s->err, MESH_EFORMAT, "file ends in facet %d: no '%s'",
+		    r->s->nf, word);
+	if (!scan_is(t, word))
+		return mesh_fail(r->s->err, MESH_EFORMAT, "line %ld, facet %d: '%s' where '%s' belongs",
+		    r->line, r->s->nf, scan_show(t, show), word);
+	return 0;
+}
+
+static int
+numbers(Reader *r, double x[3])
+{
+	char show[SCAN_SHOW];
+	Token t;
+	int c;
+
+	for (c = 0; c < 3; c++) {
+		if (!scan_token(r, &t))
+			return mesh_fail(r->s->err, MESH_EFORMAT, "file ends in facet %d", r->s->nf);
+		if (!scan_number(t, &x[c]))
+			return mesh_fail(r->s->err, MESH_EFORMAT,
+			    "line %ld, facet %d: '%s' is not a number",
+			    r->line, r->s->nf, scan_show(t, show));
+	}
+	return 0;
+}
+
+/* What follows the word "facet". */
+static int
+facet(Reader *r)
+{
+	double x[3];
+	int e, k;
+
+	if ((e = expect(r, "normal")) != 0 || (e = numbers(r, x)) != 0 ||
+	    (e = expect(r, "outer")) != 0 || (e = expect(r, "loop")) != 0)
+		return e;
+	for (k = 0; k < 3; k++)
+		if ((e = expect(r, "vertex")) != 0 || (e = numbers(r, x)) != 0 ||
+		    (e = soup_vertex(r, x)) != 0)
+			return e;
+	if ((e = expect(r, "endloop")) != 0 || (e = expect(r, "endfacet")) != 0)
+		return e;
+	return triangle(r);
+}
+
+/* Several solids one after the other are one soup. */
+static int
+ascii(Reader *r)
+{
+	char show[SCAN_SHOW];
+	int e = 0, open = 0;
+	Token t;
+
+	while (!e && scan_token(r, &t)) {
+		if (open && scan_is(t, "facet")) {
+			e = facet(r);
+		} else if (scan_is(t, open ? "endsolid" : "solid")) {
+			open = !open;
+			scan_skipline(r);
+		} else {
+			e = mesh_fail(r->s->err, MESH_EFORMAT, "line %ld: '%s' where '%s' belongs",
+			    r->line, scan_show(t, show), open ? "facet" : "solid");
+		}
+	}
+	if (!e && open)
+		e = mesh_fail(r->s->err, MESH_EFORMAT, "file ends after facet %d: no 'endsolid'",
+		    r->s->nf - 1);
+	return e;
+}
+
+int
+stl_read(Reader *r)
+{
+	const size_t n = scan_left(r);
+
+	if (stl_isbinary(r->p, n))
+		return binary(r);
+	if (n > HEAD && memchr(r->p, '\0', HEAD))
+		return mesh_fail(r->s->err, MESH_EFORMAT,
+		    "binary STL of %llu triangles has %llu bytes, not %zu", scan_bytes(r->p + 80, 4, 0),
+		    HEAD + EACH*scan_bytes(r->p + 80, 4, 0), n);
+	return ascii(r);
+}

@@ -1,0 +1,612 @@
+/* test_meshfile.c - lib/meshfile.h: every format's rules, its refusals and their words;
+ * cut, changed and hostile files; what is written is what is read. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <zlib.h>
+#include <cmocka.h>
+
+#include "../lib/meshfile.h"
+
+/* Parse a copy of exactly n bytes, so that a sanitizer sees any step beyond them. */
+static int
+parse(Soup *s, const void *bytes, size_t n)
+{
+	char *copy = malloc(n + !n);
+	int e;
+
+	memcpy(copy, bytes, n);
+	e = meshfile_parse(s, copy, n);
+	free(copy);
+	if (e)
+		assert_true(!s->xyz && !s->first && !s->idx && s->err[0] && !strchr(s->err, '\n'));
+	return e;
+}
+
+/* Text that must be read as nv vertices and the faces "0 1 2/0 2 3". */
+static void
+reads(const char *text, int nv, const char *faces)
+{
+	char got[200] = "";
+	size_t n = 0;
+	int f, i;
+	Soup s;
+
+	if (parse(&s, text, strlen(text)))
+		fail_msg("'%s': %s", text, s.err);
+	for (f = 0; f < s.nf; f++)
+		for (i = s.first[f]; i < s.first[f+1]; i++)
+			n += (size_t)snprintf(got + n, sizeof got - n, "%s%d",
+			    i > s.first[f] ? " " : f ? "/" : "", s.idx[i]);
+	if (s.nv != nv || strcmp(got, faces) != 0)
+		fail_msg("'%s': %d vertices, faces %s", text, s.nv, got);
+	soup_free(&s);
+}
+
+static void
+refuses(const char *text, int code, const char *why)
+{
+	Soup s;
+	int e = parse(&s, text, strlen(text));
+
+	if (!e)
+		soup_free(&s);
+	if (e != code || !strstr(s.err, why))
+		fail_msg("'%.60s': code %d, '%s', not %d, '%s'", text, e, e ? s.err : "", code, why);
+}
+
+static void
+off_rules(void **state)
+{
+	(void)state;
+	reads("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 3, "0 1 2");
+	reads("OFF 3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2", 3, "0 1 2");
+	reads("# c\nOFF # c\n3 1 # no edges\n\n0 0 0 # c\n1 0 0\n0 1 0\n3 0 1 2 # c\n# end", 3, "0 1 2");
+	reads("\xef\xbb\xbfOFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 3, "0 1 2");
+	reads("COFF\n3 1 0\n0 0 0 1 1 1 1\n1 0 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0 1 2\n", 3, "0 1 2");
+	reads("STCNOFF\n3 1 0\n0 0 0 nan 1\n1 0 0 1 1\n0 1 0 1 1\n3 0 1 2\n", 3, "0 1 2");
+	reads("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n3 0 2 1 0.5 0.5 0.5 1\n", 3, "0 1 2/0 2 1");
+	reads("OFF\n4 2 0\n0 0\n0\n1 0 0\n0 1 0\n1 1 1\n4 0\n1\n\n2 3\n3\n2\n1\n0\n", 4, "0 1 2 3/2 1 0");
+	reads("OFF\n0 0 0\n", 0, "");
+	refuses("OFF", MESH_EFORMAT, "file ends in the header");
+	refuses("OFF\n3 1 0 7\n", MESH_EFORMAT, "'7' is not expected");
+	refuses("OFF\nx 1 0\n", MESH_EFORMAT, "'x' is not a number of vertices");
+	refuses("4OFF\n0 0 0\n", MESH_EFORMAT, "three dimensions");
+	refuses("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0 1 1 1\n3 0 1 2\n", MESH_EFORMAT,
+	    "vertex 2 has 6 numbers, those before have 3");
+	refuses("OFF\n2 2 0\n0 0 0\n1 0 0\n3 0 1 1 3 0 1 1\n", MESH_EFORMAT, "file ends in face 1 of 2");
+	refuses("OFF\n2 3 0\n0 0 0\n1 0 0\n3 0 1 1 3 0 1 1 3 0 1 1\n", MESH_EFORMAT,
+	    "8 numbers after the 3 corners of face 0");
+	refuses("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n", MESH_EFORMAT,
+	    "line 7: '3' is not expected after the last face");
+	refuses("OFF\n3 1 0\n0 0 0\n1 0 0 \n0 1 0\n3 0 1 3\n", MESH_EINDEX, "face 0 names vertex 3 of 3");
+	refuses("OFF\n3 1 0\n0 0 0\n1 0 0 \n0 1 0\n3 0 1 -1\n", MESH_EINDEX, "face 0 names vertex -1 of 3");
+	refuses("OFF\n3 1 0\n0 0 0\n1 0 0 \n0 1 0\n3 0 1 4294967296\n", MESH_EINDEX, "vertex 4294967296 of 3");
+	refuses("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n", MESH_EFORMAT, "'1.5' is not a vertex number");
+	refuses("OFF\n3 1 0\n0.00 0.00 0.00\n1 0 0\n0 1\n", MESH_EFORMAT, "file ends in vertex 2 of 3");
+}
+
+static void
+number_rules(void **state)
+{
+	static const char *const good[] = { "0", "-0", "+1", "1.", ".5", "1e3", "1E-3", "-1.25e+2",
+	    "9007199254740993", "0.1", "123456789012345678901234567890", "2.2250738585072011e-308",
+	    "179769313486231570814527423731704356798070e267", "4.35", "0.000001234567890123",
+	    "5e-324", "1.00000000000000011102230246251565404", "41.846923828100003", "1e23" };
+	static const char *const bad[] = { "1,5", "0x10", "1e", "--1", ".", "-", "1-2", "1e5.", "e5" };
+	static const char *const huge[] = { "nan", "-NaN", "nan(1)", "inf", "+Infinity", "1e999" };
+	char text[400];
+	size_t i;
+	Soup s;
+
+	(void)state;
+	for (i = 0; i < sizeof good / sizeof *good; i++) {
+		snprintf(text, sizeof text, "v %s 0 0", good[i]);
+		assert_int_equal(parse(&s, text, strlen(text)), 0);
+		if (s.xyz[0] != strtod(good[i], NULL) || !signbit(s.xyz[0]) != (*good[i] != '-'))
+			fail_msg("%s read as %.17g", good[i], s.xyz[0]);
+		soup_free(&s);
+	}
+	for (i = 0; i < sizeof bad / sizeof *bad; i++) {
+		snprintf(text, sizeof text, "v 0 0 0\nv 0 %s 0", bad[i]);
+		refuses(text, MESH_EFORMAT, "is not a coordinate");
+		snprintf(text, sizeof text, "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\n"
+		    "property int y\nproperty int z\nend_header\n0 0 %s\n", bad[i]);
+		refuses(text, MESH_EFORMAT, "is not a number");
+	}
+	for (i = 0; i < sizeof huge / sizeof *huge; i++) {
+		snprintf(text, sizeof text, "v 0 0 0\nv 0 %s 0", huge[i]);
+		refuses(text, MESH_EVALUE, "vertex 1 has a coordinate that is not finite");
+	}
+	snprintf(text, sizeof text, "v 0 %0200d 0", 1);
+	refuses(text, MESH_EFORMAT, "0000...' is not a coordinate");
+	refuses("v 0 \x1b[31m 0", MESH_EFORMAT, "'?[31m' is not a coordinate");
+}
+
+static void
+obj_rules(void **state)
+{
+	(void)state;
+	reads("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3", 3, "0 1 2");
+	reads("# c\r\nmtllib a\\\r\no x\r\nv 0 0 0\r\nv 1 0 0 1\r\nv 0 1 0 .1 .2 .3\r\nvt 0 0\r\nvn 0 0 1\r\n"
+	    "usemtl m\r\nf 1/1 2//1 3/1/1 # c\r\ns off\r\n", 3, "0 1 2");
+	reads("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 1 1 0\nf -1 -2 -3", 4, "0 1 2/3 2 1");
+	reads("f 1 2 3 4\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n", 4, "0 1 2 3");
+	reads("v 0 0 0\nv 1 \\\n0 0\nv 0 1 0\nf 1 \\\r\n 2\\\n 3\n", 3, "0 1 2");
+	reads("v 0 0 0\nl 1 1\nfo 1 1 1\nvp 1\n", 1, "");
+	refuses("v 0 0 0\nf 0 1 1", MESH_EINDEX, "face 0 has the index 0, OBJ counts from 1");
+	refuses("v 0 0 0\nf 1 1 2", MESH_EINDEX, "face 0 names vertex 1 of 1");
+	refuses("v 0 0 0\nf 1 1 1\nf -1 -2 1", MESH_EINDEX, "face 1 reaches back 2 vertices, there are 1");
+	refuses("v 0 0 0\nf 1 1 99999999999", MESH_EINDEX, "names vertex 99999999998 of 1");
+	refuses("v 0 0 0\nf 1 1 a", MESH_EFORMAT, "'a' is not a corner");
+	refuses("v 0 0 0\nf 1 1 1x", MESH_EFORMAT, "'1x' is not a corner");
+	refuses("v 0 0 0\nf 1 1 /1", MESH_EFORMAT, "'/1' is not a corner");
+	refuses("v 0 0 0\nf 1/x 1 1", MESH_EFORMAT, "line 2: '1/x' is not a corner");
+	refuses("v 0 0 0\nv 0 0\n", MESH_EFORMAT, "vertex 1 has 2 numbers");
+	refuses("v 0 0 0 0 0 0 0 0 0\n", MESH_EFORMAT, "vertex 0 has 9 numbers");
+	refuses("o name\n", MESH_EFORMAT, "without vertices");
+}
+
+#define HEAD(fmt, nv) "ply\nformat " fmt " 1.0\ncomment c\nelement vertex " nv \
+	"\nproperty float x\nproperty float y\nproperty float z\n"
+#define FACES(nf) "element face " nf "\nproperty list uchar int vertex_indices\n"
+
+static void
+ply_rules(void **state)
+{
+	(void)state;
+	reads(HEAD("ascii", "3") FACES("1") "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 3, "0 1 2");
+	reads("ply\r\nformat ascii 1.0\r\nelement edge 2\r\nproperty uchar r\r\nproperty list int int q\r\n"
+	    "element none 4000000000\r\nelement vertex 3\r\nproperty double z\r\nproperty list uchar float w\r\n"
+	    "property int16 y\r\nproperty uint8 x\r\nelement face 1\r\nproperty float32 a\r\n"
+	    "property list uint32 uint16 vertex_index\r\nproperty list uchar float texcoord\r\nend_header\r\n"
+	    "7 0\r\n7 2 1 1\r\n0 0 0 0\r\n0 1 .5 0 1\r\n0 0 1 0\r\n.5 3 2 1 0 1 nan\r\n", 3, "2 1 0");
+	reads("ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nelement vertex 3\n"
+	    "property float x\nproperty float y\nproperty float z\nend_header\n3 0 1 2\n0 0 0 1 0 0 0 1 0", 3, "0 1 2");
+	reads(HEAD("ascii", "4") "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+	    "0 0 0\n1 0 0\n0 1 0\n1 1 0\n10 0 1 2 3 3 2 -1 3 2 1\n", 4, "0 1 2/2 1 3/3 2 1");
+	refuses("ply\nformat ascii 1.0\n", MESH_EFORMAT, "file ends in the header");
+	refuses("ply\nformat text 1.0\n", MESH_EFORMAT, "'text' is not a PLY format");
+	refuses("ply\nelement vertex x\n", MESH_EFORMAT, "'x' is not a number of records");
+	refuses("ply\nelement vertex -1\n", MESH_EFORMAT, "'-1' is not a number of records");
+	refuses("ply\nproperty float x\n", MESH_EFORMAT, "before the first element");
+	refuses("ply\nelement vertex 1\nproperty real x\n", MESH_EFORMAT, "'real' is not a type");
+	refuses("ply\nelement face 1\nproperty list float int vertex_indices\n", MESH_EFORMAT, "to count with");
+	refuses("ply\nelement vertex 1\nproperty int x\nproperty int x\n", MESH_EFORMAT, "'x' is not a new name");
+	refuses("ply\nelement vertex 0\nproperty int x\nend_header\n", MESH_EFORMAT, "no format line");
+	refuses("ply\nformat ascii 1.0\nelement vertex 0\nproperty int x\nend_header\n", MESH_EFORMAT, "lack x, y or z");
+	refuses("ply\nformat ascii 1.0\nend_header\n", MESH_EFORMAT, "no element vertex");
+	refuses(HEAD("ascii", "0") "element vertex 0\nend_header\n", MESH_EFORMAT, "'vertex' is not a new element");
+	refuses(HEAD("ascii", "0") "element face 0\nend_header\n", MESH_EFORMAT, "lack a list vertex_indices");
+	refuses("ply\nnonsense\n", MESH_EFORMAT, "header line 2: 'nonsense' is not a header keyword");
+	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 1\n", MESH_EINDEX, "face 0 names vertex 1 of 1");
+	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 -1\n", MESH_EINDEX, "names vertex -1 of 1");
+	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 .5\n", MESH_EFORMAT, "face 0 has 0.5 where");
+	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n-3 0 0 0\n", MESH_EFORMAT, "face 0 has -3 where");
+	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 0\n9", MESH_EFORMAT, "1 bytes follow");
+	refuses(HEAD("ascii", "1") FACES("2") "end_header\n0 0 0\n3 0 0 0\n 3 0", MESH_EFORMAT, "file ends in face 1 of 2");
+	refuses(HEAD("ascii", "2") "end_header\n0 0 0\n0 inf 0\n", MESH_EVALUE, "vertex 1");
+}
+
+/* Data that begin with the byte of a line end, after each kind of line end. */
+static void
+ply_line_ends(void **state)
+{
+	static const char *const end[] = { "\n", "\r\n", "\r" };
+	char buf[300];
+	int i, n;
+	Soup s;
+
+	(void)state;
+	for (i = 0; i < 3; i++) {
+		n = snprintf(buf, sizeof buf, "ply%sformat binary_big_endian 1.0%selement vertex 1%s"
+		    "property uchar x%sproperty uchar y%sproperty char z%send_header%s\n\r\377",
+		    end[i], end[i], end[i], end[i], end[i], end[i], end[i]);
+		if (parse(&s, buf, (size_t)n))
+			fail_msg("line end %d: %s", i, s.err);
+		assert_true(s.xyz[0] == 10 && s.xyz[1] == 13 && s.xyz[2] == -1);
+		soup_free(&s);
+	}
+}
+
+#define FACET "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+
+static void
+stl_rules(void **state)
+{
+	char bin[84 + 50] = "solid but binary";
+	Soup s;
+
+	(void)state;
+	reads("solid a b\n" FACET "endsolid a", 3, "0 1 2");
+	reads("  SOLID\r\n" FACET FACET "endsolid\nsolid 2\n" FACET "endsolid", 9, "0 1 2/3 4 5/6 7 8");
+	refuses("solid a\n" FACET, MESH_EFORMAT, "file ends after facet 0: no 'endsolid'");
+	refuses("solid a\n" FACET "facet normal 0 0", MESH_EFORMAT, "file ends in facet 1");
+	refuses("solid a\n" FACET "facet normal 0 0 1 outer endloop", MESH_EFORMAT, "'endloop' where 'loop' belongs");
+	refuses("solid a\n" FACET "vertex", MESH_EFORMAT, "'vertex' where 'facet' belongs");
+	refuses("solid a\nfacet normal 0 0 z", MESH_EFORMAT, "'z' is not a number");
+	bin[80] = 1;
+	assert_int_equal(parse(&s, bin, sizeof bin), 0);
+	assert_int_equal(s.nv, 3);
+	assert_int_equal(s.nf, 1);
+	soup_free(&s);
+	assert_int_equal(parse(&s, bin, sizeof bin - 1), MESH_EFORMAT);
+	assert_non_null(strstr(s.err, "binary STL of 1 triangles has 134 bytes, not 133"));
+	memcpy(bin + 84 + 12 + 12, "\0\0\x80\x7f", 4);
+	assert_int_equal(parse(&s, bin, sizeof bin), MESH_EVALUE);
+	assert_non_null(strstr(s.err, "vertex 1"));
+}
+
+static void
+other_kinds(void **state)
+{
+	(void)state;
+	refuses("", MESH_EFORMAT, "empty input");
+	refuses("\xef\xbb\xbf", MESH_EFORMAT, "empty input");
+	refuses("\n \n", MESH_EFORMAT, "not an OFF, OBJ, PLY or STL file");
+	refuses("hello", MESH_EFORMAT, "not an OFF, OBJ, PLY or STL file");
+	refuses("plywood", MESH_EFORMAT, "not an OFF, OBJ, PLY or STL file");
+	refuses("<?xml version='1.0'?><GIFTI>", MESH_EFORMAT, "GIFTI");
+	refuses("<html>", MESH_EFORMAT, "XML");
+	refuses("\xff\xff\xfe" "created", MESH_EFORMAT, "FreeSurfer surface");
+	refuses("# vtk DataFile Version 3.0\n", MESH_EFORMAT, "legacy VTK");
+	refuses("MATLAB 5.0 MAT-file, x", MESH_EFORMAT, "MATLAB");
+	refuses("lhg 1\n", MESH_EFORMAT, "lhg grid");
+	refuses("# c\nVertex 1 0 0 0\n", MESH_EFORMAT, "Hoppe");
+}
+
+/* So little memory that believing a promise is MESH_ENOMEM, a wrong code.  A sanitizer
+ * needs its own address space, and reports a large allocation by itself. */
+static void
+limit(const struct rlimit *old)
+{
+#ifdef __SANITIZE_ADDRESS__
+	(void)old;
+#else
+	struct rlimit tight = *old;
+
+	tight.rlim_cur = (rlim_t)1 << 27;
+	setrlimit(RLIMIT_AS, &tight);
+#endif
+}
+
+/* Counts and indices that no file of a hundred bytes can mean, under a memory limit. */
+static void
+hostile_counts(void **state)
+{
+	static const char *const count[] = { "4000000000", "-1", "2147483648", "2147483647", "1000000000000000000",
+	    "99999999999999999999999999" };
+	static const char *const text[] = {
+		"OFF\n%s 1 0\n0 0 0\n3 0 0 0\n", "OFF\n1 %s 0\n0 0 0\n3 0 0 0\n", "OFF\n1 1 0\n0 0 0\n%s 0 0 0\n",
+		"OFF\n1 1 0\n0 0 0\n3 0 0 %s\n", "v 0 0 0\nf 1 1 %s\n", "v 0 0 0\nf 1 1 -%s\n",
+		HEAD("ascii", "%s") "end_header\n0 0 0\n", HEAD("binary_little_endian", "%s") "end_header\n0 0 0\n",
+		HEAD("ascii", "1") FACES("%s") "end_header\n0 0 0\n3 0 0 0\n",
+		HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n%s 0 0 0\n",
+		HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 %s\n",
+		HEAD("ascii", "1") "element tristrips %s\nproperty list int int vertex_indices\nend_header\n0 0 0\n3 0 0 0\n",
+		HEAD("ascii", "1") "element e %s\nproperty int a\nend_header\n0 0 0\n3 0 0 0\n"
+	};
+	struct rlimit old;
+	char file[600];
+	size_t i, k;
+	Soup s;
+	int e;
+
+	(void)state;
+	getrlimit(RLIMIT_AS, &old);
+	limit(&old);
+	for (i = 0; i < sizeof text / sizeof *text; i++)
+		for (k = 0; k < sizeof count / sizeof *count; k++) {
+			snprintf(file, sizeof file, text[i], count[k]);
+			e = parse(&s, file, strlen(file));
+			if (!e)
+				soup_free(&s);
+			if (e != MESH_EFORMAT && e != MESH_EINDEX && !(i == 4 && k == 1))       /* OBJ's -1 */
+				fail_msg("%s: code %d %s", file, e, e ? s.err : "");
+		}
+	setrlimit(RLIMIT_AS, &old);
+	refuses("OFF\n4000000000 1 0\n0 0 0\n3 0 0 0\n", MESH_EFORMAT,
+	    "header promises 4000000000 vertices, file has room for 2");
+	refuses("OFF\n1 1 0\n0 0 0\n2000000000 0 0\n", MESH_EFORMAT, "file ends in face 0 of 1");
+}
+
+/* A fan of k triangles about vertex 0, not flat. */
+static Mesh
+fan(int k)
+{
+	Mesh m = { k + 2, k, malloc((size_t)(k + 2) * 3 * sizeof(double)), malloc((size_t)k * 3 * sizeof(int)) };
+	int i;
+
+	for (i = 0; i < k + 2; i++) {
+		m.xyz[3*i] = i ? cos(i / 3.0) * 1e-7 : 0;
+		m.xyz[3*i+1] = i ? sin(i / 3.0) / 3 : -0.0;
+		m.xyz[3*i+2] = i * i * 1e17;
+	}
+	for (i = 0; i < k; i++)
+		m.tri[3*i] = 0, m.tri[3*i+1] = i + 1, m.tri[3*i+2] = i + 2;
+	return m;
+}
+
+static int
+same(const Soup *s, const Mesh *m)
+{
+	int f;
+
+	for (f = 0; f < s->nf; f++)
+		if (s->first[f] != 3*f)
+			return 0;
+	return s->nv == m->nv && s->nf == m->nf && s->first[s->nf] == 3*m->nf &&
+	    memcmp(s->xyz, m->xyz, (size_t)m->nv * 3 * sizeof(double)) == 0 &&
+	    memcmp(s->idx, m->tri, (size_t)m->nf * 3 * sizeof(int)) == 0;
+}
+
+/* OFF, OBJ and PLY give back every bit; STL every corner as a float. */
+static void
+round_trip(void **state)
+{
+	Mesh m = fan(7);
+	int kind, i, c;
+	char *p;
+	size_t n;
+	Soup s;
+
+	(void)state;
+	for (kind = MESHFILE_OFF; kind <= MESHFILE_STL; kind++) {
+		assert_int_equal(meshfile_format(&m, kind, &p, &n), 0);
+		assert_int_equal(parse(&s, p, n), 0);
+		if (kind != MESHFILE_STL)
+			assert_true(same(&s, &m));
+		for (i = 0; kind == MESHFILE_STL && i < 3*m.nf; i++)
+			for (c = 0; c < 3; c++)
+				assert_true(s.idx[i] == i &&
+				    s.xyz[3*i+c] == (double)(float)m.xyz[3*m.tri[i]+c]);
+		soup_free(&s);
+		free(p);
+	}
+	m.xyz[0] = 1e39;
+	assert_int_equal(meshfile_format(&m, MESHFILE_STL, &p, &n), MESH_EVALUE);
+	mesh_free(&m);
+	assert_int_equal(meshfile_kind("a.OFF"), MESHFILE_OFF);
+	assert_int_equal(meshfile_kind("a.b.stl"), MESHFILE_STL);
+	assert_int_equal(meshfile_kind(".ply"), -1);
+	assert_int_equal(meshfile_kind("plyx"), -1);
+	assert_int_equal(meshfile_kind("off"), -1);
+}
+
+/* Append n bytes of w in either order. */
+static void
+bytes(char **p, unsigned long w, int n, int big)
+{
+	int i;
+
+	for (i = 0; i < n; i++)
+		*(*p)++ = (char)(w >> 8*(big ? n-1 - i : i));
+}
+
+/* The coordinate i as float bits, for small whole i. */
+static unsigned long
+asfloat(int i)
+{
+	float x = (float)i;
+	uint32_t w;
+
+	memcpy(&w, &x, 4);
+	return w;
+}
+
+/* Both faces of a tetrahedron's corner, as binary OFF or PLY; returns its length. */
+static size_t
+binaryfile(char *buf, int ply, int big, int colours)
+{
+	static const int at[4][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+	char *p = buf;
+	int i, f;
+
+	if (ply) {
+		p += sprintf(p, HEAD("binary_%s_endian", "4") FACES("2") "end_header\n", big ? "big" : "little");
+	} else {
+		p += sprintf(p, "OFF BINARY\n");
+		bytes(&p, 4, 4, big), bytes(&p, 2, 4, big), bytes(&p, 0, 4, big);
+	}
+	for (i = 0; i < 12; i++)
+		bytes(&p, asfloat(at[i/3][i%3]), 4, big);
+	for (f = 0; f < 2; f++) {
+		bytes(&p, 3, ply ? 1 : 4, big);
+		bytes(&p, 0, 4, big), bytes(&p, (unsigned)f + 1, 4, big), bytes(&p, (unsigned)f + 2, 4, big);
+		if (colours)
+			bytes(&p, (unsigned)f, 4, big), bytes(&p, 0, f ? 4 : 0, big);
+	}
+	return (size_t)(p - buf);
+}
+
+static void
+binary_files(void **state)
+{
+	char buf[500];
+	int ply, big, colours, e;
+	size_t n, k;
+	Soup s;
+
+	(void)state;
+	for (ply = 0; ply < 2; ply++)
+		for (big = 0; big < 2; big++)
+			for (colours = 0; colours <= !ply; colours++) {
+				n = binaryfile(buf, ply, big, colours);
+				e = parse(&s, buf, n);
+				if (e)
+					fail_msg("ply %d big %d: %s", ply, big, s.err);
+				assert_int_equal(s.nv, 4);
+				assert_int_equal(s.nf, 2);
+				assert_true(s.xyz[3] == 1 && s.xyz[7] == 1 && s.xyz[11] == 1);
+				assert_true(s.idx[1] == 1 && s.idx[2] == 2 && s.idx[4] == 2 && s.idx[5] == 3);
+				soup_free(&s);
+				for (k = 0; k < n; k++)
+					assert_true(parse(&s, buf, k) < 0);
+				assert_int_equal(parse(&s, buf, n + 1), MESH_EFORMAT);
+				assert_true(colours || strstr(s.err, "1 bytes follow"));
+			}
+}
+
+/* A file cut at k bytes is refused, unless only blanks, or digits of the last number in a
+ * text, are gone. */
+static void
+every_cut(void **state)
+{
+	static const int kinds[] = { MESHFILE_OFF, MESHFILE_PLY, MESHFILE_STL };
+	Mesh m = fan(12);
+	size_t i, k, n;
+	char *p;
+	Soup s;
+
+	(void)state;
+	for (i = 0; i < 3; i++) {
+		assert_int_equal(meshfile_format(&m, kinds[i], &p, &n), 0);
+		for (k = 0; k < n; k++)
+			if (parse(&s, p, k) == 0) {
+				if (!(kinds[i] == MESHFILE_OFF && k >= n - 2))
+					fail_msg("kind %zu cut at %zu of %zu passes", i, k, n);
+				soup_free(&s);
+			}
+		free(p);
+	}
+	mesh_free(&m);
+}
+
+/* Each byte in turn becomes each of a few values, in a text without a final newline:
+ * only a sanitizer, a crash or an index out of range can complain. */
+static void
+changed(const char *bytes, size_t n)
+{
+	static const unsigned char to[] = { 0, '\n', '-', '/', '0', '9', '\\', 'e', 0x7f, 0x80, 0xff };
+	char *copy = malloc(n);
+	size_t i, k;
+	int c;
+	Soup s;
+
+	for (i = 0; i < n; i++)
+		for (k = 0; k < sizeof to; k++) {
+			memcpy(copy, bytes, n);
+			copy[i] = (char)to[k];
+			if (parse(&s, copy, n))
+				continue;
+			for (c = 0; c < s.first[s.nf]; c++)
+				assert_true(s.idx[c] >= 0 && s.idx[c] < s.nv);
+			for (c = 0; c < 3*s.nv; c++)
+				assert_true(isfinite(s.xyz[c]));
+			soup_free(&s);
+		}
+	free(copy);
+}
+
+static void
+every_byte(void **state)
+{
+	static const char obj[] = "v 0 0 0\r\nv 1 \\\r\n0 0\nv 0 1.5e-1 0\nf 1/1/1 2//2 -1\nf -3 -2 3";
+	static const char strips[] = HEAD("ascii", "3")
+	    "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n5 0 1 2 -1 0";
+	static const char stl[] = "solid\n" FACET "endsolid";
+	char buf[500];
+	int kind;
+	Mesh m = fan(3);
+	size_t n;
+	char *p;
+
+	(void)state;
+	for (kind = MESHFILE_OFF; kind <= MESHFILE_STL; kind++) {
+		assert_int_equal(meshfile_format(&m, kind, &p, &n), 0);
+		changed(p, n);
+		free(p);
+	}
+	mesh_free(&m);
+	changed(obj, sizeof obj - 1);
+	changed(strips, sizeof strips - 1);
+	changed(stl, sizeof stl - 1);
+	changed(buf, binaryfile(buf, 0, 1, 1));
+	changed(buf, binaryfile(buf, 1, 1, 0));
+}
+
+/* bytes as one gzip member; returns its length. */
+static size_t
+deflated(const char *bytes, size_t n, unsigned char *out, size_t room)
+{
+	z_stream z;
+
+	memset(&z, 0, sizeof z);
+	assert_int_equal(deflateInit2(&z, 9, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY), Z_OK);
+	z.next_in = (Bytef *)(uintptr_t)bytes;
+	z.avail_in = (uInt)n;
+	z.next_out = out;
+	z.avail_out = (uInt)room;
+	assert_int_equal(deflate(&z, Z_FINISH), Z_STREAM_END);
+	deflateEnd(&z);
+	return room - z.avail_out;
+}
+
+static void
+gzipped(void **state)
+{
+	static const char a[] = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n", b[] = "3 0 1 2\n";
+	unsigned char z[400], bad[400], *big;
+	size_t i, n;
+	char *zeros;
+	Soup s;
+
+	(void)state;
+	n = deflated(a, strlen(a), z, sizeof z);
+	n += deflated(b, strlen(b), z + n, sizeof z - n);
+	assert_int_equal(parse(&s, z, n), 0);
+	assert_int_equal(s.nf, 1);
+	soup_free(&s);
+	for (i = 0; i < n; i++)
+		assert_int_equal(parse(&s, z, i), MESH_EFORMAT);
+	assert_int_equal(parse(&s, z, n - 1), MESH_EFORMAT);
+	assert_string_equal(s.err, "gzip data end early");
+	for (i = 10; i < n; i++) {
+		memcpy(bad, z, n);
+		bad[i] ^= 0x10;
+		if (parse(&s, bad, n) == 0)
+			soup_free(&s);          /* the flags of the second member's header */
+		else
+			assert_true(strstr(s.err, "gzip") || strstr(s.err, "face") || strstr(s.err, "header"));
+	}
+	memcpy(z + n, "x", 1);
+	assert_int_equal(parse(&s, z, n + 1), MESH_EFORMAT);
+	n = deflated("", 0, z, sizeof z);
+	assert_int_equal(parse(&s, z, n), MESH_EFORMAT);
+	assert_string_equal(s.err, "empty input");
+	zeros = calloc(1, 1 << 22);
+	big = malloc(1 << 16);
+	n = deflated(zeros, 1 << 22, big, 1 << 16);     /* 1000:1 is still honest */
+	assert_int_equal(parse(&s, big, n), MESH_EFORMAT);
+	assert_null(strstr(s.err, "gzip data"));
+	free(zeros);
+	free(big);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(off_rules),
+		cmocka_unit_test(number_rules),
+		cmocka_unit_test(obj_rules),
+		cmocka_unit_test(ply_rules),
+		cmocka_unit_test(ply_line_ends),
+		cmocka_unit_test(stl_rules),
+		cmocka_unit_test(other_kinds),
+		cmocka_unit_test(hostile_counts),
+		cmocka_unit_test(round_trip),
+		cmocka_unit_test(binary_files),
+		cmocka_unit_test(every_cut),
+		cmocka_unit_test(every_byte),
+		cmocka_unit_test(gzipped),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
