@@ -1,0 +1,25 @@
+/* repair.h - polygon soup repair by CGAL behind C functions. */
+#ifndef REPAIR_H
+#define REPAIR_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { REPAIR_ENOMEM = -1 };
+
+/* Give vertices of equal position one number.
+ *
+ * nv, xyz  in      [nv][3], finite
+ * to       out     [nv] the new number of each; new numbers run from 0 in the order in
+ *                  which positions first appear
+ * nnew     out     how many there are
+ *
+ * Returns 0 or REPAIR_ENOMEM. */
+int repair_weld(int nv, const double *xyz, int *to, int *nnew);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
