@@ -168,6 +168,15 @@ wrong_option(char *argv[], const struct option *o, int c)
 	misuse("unknown or ambiguous option %s", argv[optind - 1]);
 }
 
+/* After --help and --version. */
+static _Noreturn void
+answered(void)
+{
+	if (fflush(stdout) == EOF || ferror(stdout))
+		die("stdout: %s", strerror(errno));
+	exit(0);
+}
+
 int
 cmd_getopt(int argc, char *argv[], const char *shortopt, const struct option *longopt)
 {
@@ -181,8 +190,8 @@ cmd_getopt(int argc, char *argv[], const char *shortopt, const struct option *lo
 		case 'o': cmd.output = strcmp(optarg, "-") == 0 ? NULL : optarg; break;
 		case 'q': cmd.verbose = -1; break;
 		case 'v': cmd.verbose = 1; break;
-		case 'h': fputs(cmd.usage, stdout); exit(fflush(stdout) == EOF);
-		case 'V': printf("%s (lhgrid) %s\n", cmd.name, VERSION); exit(fflush(stdout) == EOF);
+		case 'h': fputs(cmd.usage, stdout); answered();
+		case 'V': printf("%s (lhgrid) %s\n", cmd.name, VERSION); answered();
 		case ':':
 		case '?': wrong_option(argv, longopt, c);
 		default:

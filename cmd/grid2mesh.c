@@ -58,11 +58,17 @@ emit(const CmdInput *in, const Lhg *g, int kind, const char *path)
 {
 	const double *x = cmd_need(in, g, "x", LHG_GRID), *y = cmd_need(in, g, "y", LHG_GRID);
 	const double *z = cmd_need(in, g, "z", LHG_GRID);
-	char *bytes;
+	char *bytes = NULL;
 	size_t n;
+	int e;
 	Mesh m;
 
-	if (mesh_from_grid(&m, g->nu, g->nv, x, y, z) || meshfile_format(&m, kind, &bytes, &n))
+	e = mesh_from_grid(&m, g->nu, g->nv, x, y, z);
+	if (!e)
+		e = meshfile_format(&m, kind, &bytes, &n);
+	if (e == MESH_EVALUE)
+		die("%s: a coordinate is too large for STL", in->name);
+	if (e)
 		die("%s: no memory for a mesh of %d x %d vertices", in->name, g->nu, g->nv);
 	mesh_free(&m);
 	cmd_emit(path, bytes, n);

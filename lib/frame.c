@@ -202,6 +202,24 @@ read_band(Given *s, double *const phi[3], int *at)
 	return 0;
 }
 
+/* p and q at a free node made what tangents of a conformal chart are, orthogonal and of
+ * length lambda: the nearest such pair, lambda B (B'B)^(-1/2) for B = (p q). */
+static void
+make_conformal(double lambda, double *p, double *q)
+{
+	double E = dot3(p, p), F = dot3(p, q), G = dot3(q, q);
+	double root = sqrt(fmax(E*G - F*F, 0)), s = lambda/(root*sqrt(E + G + 2*root)), a, b;
+	int c;
+
+	if (!(s < HUGE_VAL))
+		return;
+	for (c = 0; c < 3; c++) {
+		a = p[c], b = q[c];
+		p[c] = s*((G + root)*a - F*b);
+		q[c] = s*((E + root)*b - F*a);
+	}
+}
+
 static int
 positions(const Given *s, double *const phi[3], SpdReport *report)
 {
@@ -232,6 +250,7 @@ frame_surface(Chart g, const double *lambda, const double *H, double *const phi[
 	CellSystem second_form = { g, 2, 2, 1, FRAME_HELD, codazzi, &s };
 	CellSystem frame = { g, 3, 6, 3, FRAME_HELD, natural_frame, &s };
 	int e = SPD_ENOMEM;
+	size_t p;
 
 	if (s.DM && s.pqn)
 		e = read_band(&s, phi, at);
@@ -239,6 +258,8 @@ frame_surface(Chart g, const double *lambda, const double *H, double *const phi[
 		e = cellsq_solve(&second_form, s.DM, report);
 	if (!e)
 		e = cellsq_solve(&frame, s.pqn, report);
+	for (p = 0; !e && p < n; p++)
+		make_conformal(lambda[p], s.pqn + 9*p, s.pqn + 9*p + 3);
 	if (!e)
 		e = positions(&s, phi, report);
 	free(s.DM);
