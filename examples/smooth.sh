@@ -1,0 +1,14 @@
+#!/bin/sh
+# smooth.sh - smooth a surface through its conformal factor and mean curvature.
+set -eu
+out=${1:-build/demo}
+mkdir -p "$out"
+
+# A face of 6000 vertices, with pores and wrinkles.
+mkmesh -n 6000 face -o "$out/face.off"
+
+# Map it onto a rectangle, take (lambda, H), drop what is below 2 percent of their
+# spectra, and solve for the surface that fits what is left.
+mesh2rect "$out/face.off" | grid2lh | lhfft -K 2 | lh2grid | grid2mesh -o "$out/smooth.off"
+
+echo "wrote $out/face.off (before) and $out/smooth.off (after)"

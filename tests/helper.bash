@@ -1,0 +1,48 @@
+# helper.bash - what the command tests share.  Run from the top of the repository.
+
+bats_require_minimum_version 1.5.0
+BUILD=${BUILD:-build}
+PATH=$PWD/$BUILD/bin:$PATH
+meshes=${LHGRID_MESHES:-../shared/meshes}
+commands="mesh2rect grid2lh lhfft lhinterp lh2grid grid2mesh lhinfo lhdiff mkmesh"
+tmp=$BATS_FILE_TMPDIR
+
+# try EXIT PATTERN STDIN COMMAND...
+#
+# One case a line: the exit status; what the one line on stderr must match after
+# "command: " ('' when there must be none); standard input.  A command that fails leaves
+# stdout empty.  stdout stands in $tmp/out afterwards.
+try() {
+	local want=$1 pattern=$2 input=$3 code=0
+	shift 3
+	if [ "$want" = 0 ]; then
+		"$@" <"$input" >"$tmp/out" 2>"$tmp/err" || code=$?
+	else    # a process that dies by exit() owes nobody its memory
+		ASAN_OPTIONS=detect_leaks=0 "$@" <"$input" >"$tmp/out" 2>"$tmp/err" || code=$?
+		[ ! -s "$tmp/out" ] || complain "$*: wrote to stdout"
+	fi
+	[ $code = "$want" ] || complain "$*: exit $code, not $want"
+	if [ -z "$pattern" ]; then
+		[ ! -s "$tmp/err" ] || complain "$*: not silent"
+	else
+		[ "$(wc -l <"$tmp/err")" = 1 ] || complain "$*: not one line"
+		grep -Eq "^$1: .*$pattern" "$tmp/err" || complain "$*: stderr does not match $pattern"
+	fi
+}
+
+complain() {
+	echo "$1"
+	head -c 2000 "$tmp/err"
+	return 1
+}
+
+# error_of A B NAME: a number of lhdiff, over sqrt(area).
+error_of() {
+	lhdiff --no-hausdorff --no-self-intersections "$1" "$2" | awk -v n="$3" '$1 == n { print $2 }'
+}
+
+# below X Y: X is a number and less than Y.
+below() {
+	awk -v x="$1" -v y="$2" 'BEGIN { exit !(x ~ /^[0-9.e+-]+$/ && x + 0 < y + 0) }' ||
+		{ echo "$1 is not below $2"; return 1; }
+}

@@ -1,0 +1,31 @@
+/* synthdisk.h - synthetic surfaces as disks, for tests. */
+#ifndef SYNTHDISK_H
+#define SYNTHDISK_H
+
+#include "../lib/disk.h"
+#include "../lib/synth.h"
+
+/* The disk of a kind with its default parameters and n vertices or so; *xy the parameters
+ * of its vertices, if not NULL.  Vertices 0 1 2 3 are its corners. */
+static inline void
+synth_disk(const char *kind, int n, Synth *s, SynthDomain *dom, Disk *d, double **xy)
+{
+	Mesh m;
+	Soup soup = { 0 };
+	int i;
+
+	assert_int_equal(synth_init(s, kind), 0);
+	assert_int_equal(synth_domain(s, dom), 0);
+	assert_int_equal(synth_mesh(s, n, 1, &m, xy), 0);
+	soup.nv = m.nv, soup.nf = m.nf, soup.xyz = m.xyz, soup.idx = m.tri;
+	soup.first = malloc((m.nf + 1)*sizeof *soup.first);
+	assert_non_null(soup.first);
+	for (i = 0; i <= m.nf; i++)
+		soup.first[i] = 3*i;
+	assert_int_equal(disk_from_soup(d, &soup), 0);
+	assert_string_equal(d->note, "");
+	free(soup.first);
+	mesh_free(&m);
+}
+
+#endif

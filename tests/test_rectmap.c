@@ -1,0 +1,310 @@
+/* test_rectmap.c - corners, the conformal map and its sampling on surfaces whose map is
+ * known in closed form. */
+#include "cmock.h"
+
+#include "../lib/corners.h"
+#include "../lib/lambdah.h"
+#include "../lib/rectmap.h"
+#include "../lib/sample.h"
+#include "surfaces.h"
+#include "synthdisk.h"
+
+/* A mapped synthetic surface: the corners are its vertices 0 1 2 3. */
+typedef struct Mapped {
+	Synth       s;
+	SynthDomain dom;
+	Disk        d;
+	int         corner[4];
+	double     *xy, *u, *v, T, certificate;
+} Mapped;
+
+static void
+map(const char *kind, int n, Mapped *m)
+{
+	static const int vertex[4] = { 0, 1, 2, 3 };
+	SpdReport report;
+	int at;
+
+	synth_disk(kind, n, &m->s, &m->dom, &m->d, &m->xy);
+	m->u = malloc(m->d.m.nv*sizeof *m->u);
+	m->v = malloc(m->d.m.nv*sizeof *m->v);
+	assert_int_equal(corners_given(&m->d, vertex, m->corner, &at), 0);
+	assert_int_equal(rectmap(&m->d, m->corner, m->u, m->v, &m->T, &m->certificate, &report), 0);
+	assert_true(m->certificate > -1e-12);
+}
+
+static void
+unmap(Mapped *m)
+{
+	disk_free(&m->d);
+	free(m->xy);
+	free(m->u);
+	free(m->v);
+}
+
+/* u and v1 of a rectangle are linear, and cotangents reproduce linear functions. */
+static void
+rectangle_is_mapped_by_the_identity(void **state)
+{
+	Mapped m;
+	double a, b;
+	int i;
+
+	(void)state;
+	map("rectangle", 500, &m);
+	a = m.dom.x1 - m.dom.x0, b = m.dom.y1 - m.dom.y0;
+	assert_true(fabs(m.T - b/a) < 1e-12);
+	assert_true(fabs(m.certificate) < 1e-12);
+	for (i = 0; i < m.d.m.nv; i++) {
+		assert_true(fabs(m.u[i] - m.xy[2*i]/a) < 1e-12);
+		assert_true(fabs(m.v[i] - m.xy[2*i+1]/a) < 1e-12);
+	}
+	assert_int_equal(rectmap_flipped(&m.d.m, m.u, m.v), 0);
+	unmap(&m);
+}
+
+static double
+modulus_error(const char *kind, int n)
+{
+	Mapped m;
+	double e;
+
+	map(kind, n, &m);
+	assert_int_equal(rectmap_flipped(&m.d.m, m.u, m.v), 0);
+	e = fabs(m.T/m.dom.T - 1);
+	unmap(&m);
+	return e;
+}
+
+/* Four times the vertices, half the size of the triangles: second order. */
+static void
+modulus_of_sector_and_surfaces(void **state)
+{
+	static const char *const kind[] = { "sector", "mercator", "catenoid", "torus", "cylinder" };
+	size_t i;
+
+	(void)state;
+	for (i = 0; i < sizeof kind/sizeof *kind; i++) {
+		assert_true(modulus_error(kind[i], 500) < 2e-2);
+		assert_true(modulus_error(kind[i], 8000) < 1.5e-3);
+	}
+}
+
+/* By symmetry T = 1; the inner corner of the L and the corners on smooth boundaries are
+ * singular, so the order is lower there. */
+static void
+modulus_by_symmetry(void **state)
+{
+	(void)state;
+	assert_true(modulus_error("lshape", 2000) < 5e-3);
+	assert_true(modulus_error("cap", 2000) < 5e-3);
+	assert_true(modulus_error("enneper", 2000) < 5e-3);
+}
+
+static double
+certificate_of(int n)
+{
+	Mapped m;
+	double c;
+
+	map("sector", n, &m);
+	c = m.certificate;
+	unmap(&m);
+	return c;
+}
+
+static void
+certificate_falls_with_the_triangle_size(void **state)
+{
+	(void)state;
+	assert_true(certificate_of(8000) < certificate_of(500)/10);
+}
+
+static void
+cotangent_matrix_is_its_own_adjoint(void **state)
+{
+	Mapped m;
+	unsigned long long seed = 3;
+	double *x, *y, *Cx, *Cy, left = 0, right = 0, energy = 0, sum = 0;
+	int i, n;
+
+	(void)state;
+	map("torus", 800, &m);
+	n = m.d.m.nv;
+	x = malloc(n*sizeof *x), y = malloc(n*sizeof *y), Cx = malloc(n*sizeof *x), Cy = malloc(n*sizeof *y);
+	for (i = 0; i < n; i++)
+		x[i] = noise(&seed), y[i] = noise(&seed);
+	cotangent_apply(&m.d.m, x, Cx);
+	cotangent_apply(&m.d.m, y, Cy);
+	for (i = 0; i < n; i++) {
+		left += Cx[i]*y[i];
+		right += x[i]*Cy[i];
+		energy += x[i]*Cx[i];
+		sum += Cx[i];
+	}
+	assert_true(fabs(left - right) < 1e-10*fabs(energy));
+	assert_true(fabs(sum) < 1e-10*fabs(energy));
+	assert_true(energy > 0);
+	free(x), free(y), free(Cx), free(Cy);
+	unmap(&m);
+}
+
+static double *
+grid_of(const Mapped *m, Chart g, double *phi[3])
+{
+	size_t n = (size_t)g.nu*g.nv;
+	double *block = malloc(3*n*sizeof *block);
+	int at;
+
+	phi[0] = block, phi[1] = block + n, phi[2] = block + 2*n;
+	assert_int_equal(sample_disk(&m->d, m->corner, m->u, m->v, g, phi, &at), 0);
+	return block;
+}
+
+static void
+sampling_is_exact_on_the_plane(void **state)
+{
+	Mapped m;
+	Chart g = { 23, 37, 0 };
+	double *phi[3], *block;
+	int p;
+
+	(void)state;
+	map("rectangle", 300, &m);
+	g.T = m.T;
+	block = grid_of(&m, g, phi);
+	for (p = 0; p < g.nu*g.nv; p++) {
+		assert_true(fabs(phi[0][p] - p%g.nu*chart_h(g)*m.dom.x1) < 1e-12);
+		assert_true(fabs(phi[1][p] - p/g.nu*chart_k(g)*m.dom.x1) < 1e-12);
+	}
+	free(block);
+	unmap(&m);
+}
+
+/* The grid of a conformal patch against phi itself at the same place of its domain. */
+static double
+sampling_error(const char *kind, int n)
+{
+	Mapped m;
+	Chart g = { 41, 33, 0 };
+	double *phi[3], *block, truth[3], max = 0;
+	int p, c;
+
+	map(kind, n, &m);
+	g.T = m.T;
+	block = grid_of(&m, g, phi);
+	for (p = 0; p < g.nu*g.nv; p++) {
+		m.s.kind->phi(m.s.p, m.dom.x0 + (m.dom.x1 - m.dom.x0)*(p%g.nu)/(g.nu - 1),
+		    m.dom.y0 + (m.dom.y1 - m.dom.y0)*(p/g.nu)/(g.nv - 1), truth);
+		for (c = 0; c < 3; c++)
+			max = fmax(max, fabs(phi[c][p] - truth[c]));
+	}
+	free(block);
+	unmap(&m);
+	return max;
+}
+
+static void
+sampling_converges(void **state)
+{
+	static const char *const kind[] = { "mercator", "catenoid", "torus" };
+	size_t i;
+
+	(void)state;
+	for (i = 0; i < sizeof kind/sizeof *kind; i++) {
+		double coarse = sampling_error(kind[i], 500), fine = sampling_error(kind[i], 8000);
+
+		assert_true(fine < coarse/8);
+		assert_true(fine < 5e-3);
+	}
+}
+
+/* lambda and H of the whole chain, in the mean: lambda on the chart is lambda of phi times
+ * the width of its domain. */
+static void
+lambda_and_H_of_the_chain(void **state)
+{
+	Mapped m;
+	Chart g = { 33, 33, 0 };
+	double *phi[3], *block, *lambda, *H, elambda = 0, eH = 0, x, y;
+	int p;
+
+	(void)state;
+	map("mercator", 20000, &m);
+	g.T = m.T;
+	block = grid_of(&m, g, phi);
+	lambda = malloc(33*33*sizeof *lambda);
+	H = malloc(33*33*sizeof *H);
+	lambdah(g, (const double *const *)phi, LAMBDAH_NORMAL, lambda, H);
+	for (p = 0; p < g.nu*g.nv; p++) {
+		x = m.dom.x0 + (m.dom.x1 - m.dom.x0)*(p%g.nu)/(g.nu - 1);
+		y = m.dom.y0 + (m.dom.y1 - m.dom.y0)*(p/g.nu)/(g.nv - 1);
+		elambda += fabs(lambda[p]/(m.dom.x1 - m.dom.x0)/m.s.kind->lambda(m.s.p, x, y) - 1);
+		eH += fabs(H[p] - m.s.kind->H(m.s.p, x, y));
+	}
+	assert_true(elambda/(g.nu*g.nv) < 5e-3);
+	assert_true(eH/(g.nu*g.nv) < 0.05);
+	free(block), free(lambda), free(H);
+	unmap(&m);
+}
+
+static void
+corners_by_shape(void **state)
+{
+	Disk d;
+	Synth s;
+	SynthDomain dom;
+	int corner[4], k;
+
+	(void)state;
+	synth_disk("rectangle", 2000, &s, &dom, &d, NULL);
+	assert_int_equal(corners_auto(&d, corner), 1);
+	for (k = 0; k < 4; k++)
+		assert_int_equal(d.loop[corner[k]], k);
+	disk_free(&d);
+	synth_disk("cap", 2000, &s, &dom, &d, NULL);
+	assert_int_equal(corners_auto(&d, corner), 0);
+	for (k = 0; k < 4; k++)         /* its vertices are evenly spaced on a circle */
+		assert_true(fabs(corner[k] - k*d.nb/4.0) <= 1);
+	disk_free(&d);
+}
+
+static void
+corners_by_number(void **state)
+{
+	static const int inner[4] = { 0, 1, 2, -1 }, back[4] = { 3, 2, 1, 0 }, twice[4] = { 0, 0, 1, 2 };
+	static const int turned[4] = { 2, 3, 0, 1 };
+	Disk d;
+	Synth s;
+	SynthDomain dom;
+	int corner[4], at = 0;
+
+	(void)state;
+	synth_disk("rectangle", 200, &s, &dom, &d, NULL);
+	assert_int_equal(corners_given(&d, turned, corner, &at), 0);
+	assert_int_equal(d.loop[corner[0]], 2);
+	assert_int_equal(corners_given(&d, inner, corner, &at), CORNERS_EINNER);
+	assert_int_equal(at, -1);
+	assert_int_equal(corners_given(&d, back, corner, &at), CORNERS_EORDER);
+	assert_int_equal(corners_given(&d, twice, corner, &at), CORNERS_EORDER);
+	disk_free(&d);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(rectangle_is_mapped_by_the_identity),
+		cmocka_unit_test(modulus_of_sector_and_surfaces),
+		cmocka_unit_test(modulus_by_symmetry),
+		cmocka_unit_test(certificate_falls_with_the_triangle_size),
+		cmocka_unit_test(cotangent_matrix_is_its_own_adjoint),
+		cmocka_unit_test(sampling_is_exact_on_the_plane),
+		cmocka_unit_test(sampling_converges),
+		cmocka_unit_test(lambda_and_H_of_the_chain),
+		cmocka_unit_test(corners_by_shape),
+		cmocka_unit_test(corners_by_number),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
