@@ -1,0 +1,26 @@
+/* rng.h - small seeded random numbers (splitmix64, Steele, Lea and Flood 2014): the same
+ * everywhere, unlike rand(). */
+#ifndef RNG_H
+#define RNG_H
+
+#include <stdint.h>
+
+/* The next 64 bits of the sequence that *s began. */
+static inline uint64_t
+rng_next(uint64_t *s)
+{
+	uint64_t z = *s += 0x9e3779b97f4a7c15u;
+
+	z = (z ^ z >> 30)*0xbf58476d1ce4e5b9u;
+	z = (z ^ z >> 27)*0x94d049bb133111ebu;
+	return z ^ z >> 31;
+}
+
+/* Uniform in [0,1). */
+static inline double
+rng_unit(uint64_t *s)
+{
+	return (double)(rng_next(s) >> 11)*0x1p-53;
+}
+
+#endif

@@ -1,0 +1,12 @@
+/* synth_shapes.h - the kinds of synth.h, by the files their formulas are in. */
+#ifndef SYNTH_SHAPES_H
+#define SYNTH_SHAPES_H
+
+#include "synth.h"
+
+/* Each ends with a NULL name. */
+extern const SynthKind synth_shapes[];  /* plane pieces and patches of classical surfaces */
+extern const SynthKind synth_strips[];  /* spiral, moebius */
+extern const SynthKind synth_reliefs[]; /* face, tooth, cortex */
+
+#endif

@@ -1,0 +1,501 @@
+/* test_synth.c - lib/synth.h: the formulas against differences of phi, the meshes
+ * against what a triangulated disk must be. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+
+#include "../lib/rng.h"
+#include "../lib/synth.h"
+#include "../lib/vec3.h"
+
+/* phi_x, phi_y and Delta phi by central differences of fourth order. */
+typedef struct Diffs {
+	double x[3], y[3], lap[3];
+} Diffs;
+
+static Diffs
+diffs(const Synth *s, double x, double y, double h)
+{
+	static const double d1[5] = { 1./12, -8./12, 0, 8./12, -1./12 };
+	static const double d2[5] = { -1./12, 16./12, -30./12, 16./12, -1./12 };
+	Diffs d = { { 0 }, { 0 }, { 0 } };
+	double px[3], py[3];
+	int i, k;
+
+	for (i = 0; i < 5; i++) {
+		s->kind->phi(s->p, x + (i-2)*h, y, px);
+		s->kind->phi(s->p, x, y + (i-2)*h, py);
+		for (k = 0; k < 3; k++) {
+			d.x[k] += d1[i]*px[k]/h;
+			d.y[k] += d1[i]*py[k]/h;
+			d.lap[k] += d2[i]*(px[k] + py[k])/(h*h);
+		}
+	}
+	return d;
+}
+
+/* A random point at least a little inside the domain. */
+static void
+random_point(const SynthDomain *d, uint64_t *rng, double *x, double *y)
+{
+	double w = d->x1 - d->x0, h = d->y1 - d->y0;
+
+	do {
+		*x = d->x0 + w*(0.02 + 0.96*rng_unit(rng));
+		*y = d->y0 + h*(0.02 + 0.96*rng_unit(rng));
+	} while (!synth_inside(d, *x, *y));
+}
+
+static void
+check_formulas(const Synth *s)
+{
+	double x, y, lambda, n[3], area;
+	uint64_t rng = 7;
+	SynthDomain dom;
+	Diffs d;
+	int i;
+
+	assert_int_equal(synth_domain(s, &dom), 0);
+	for (i = 0; i < 200; i++) {
+		random_point(&dom, &rng, &x, &y);
+		lambda = s->kind->lambda(s->p, x, y);
+		d = diffs(s, x, y, 1e-3);
+		assert_true(fabs(norm3(d.x)/lambda - 1) < 1e-6);
+		assert_true(fabs(norm3(d.y)/lambda - 1) < 1e-6);
+		assert_true(fabs(dot3(d.x, d.y)) < 1e-6*lambda*lambda);
+		cross3(d.x, d.y, n);
+		area = norm3(n);
+		assert_true(fabs(dot3(d.lap, n)/area/(2*lambda*lambda) - s->kind->H(s->p, x, y))
+			< 1e-6*(1 + fabs(s->kind->H(s->p, x, y))));
+	}
+}
+
+static void
+formulas_are_true(void **state)
+{
+	const SynthKind *k;
+	Synth s;
+	int i, seen = 0;
+
+	(void)state;
+	for (i = 0; (k = synth_kind(i)); i++) {
+		assert_int_equal(synth_init(&s, k->name), 0);
+		assert_ptr_equal(s.kind, k);
+		assert_true(!k->lambda == !k->H);
+		if (k->lambda)
+			check_formulas(&s), seen++;
+	}
+	assert_true(seen >= 10);
+}
+
+/* The same away from the defaults, where an exchange of two parameters or a forgotten
+ * one would show. */
+static void
+formulas_hold_for_other_parameters(void **state)
+{
+	static const struct { const char *kind, *par; double value; } at[] = {
+		{ "sector", "r0", 0.7 }, { "cap", "R", 1.7 }, { "mercator", "R", 2.3 },
+		{ "cylinder", "R", 0.6 }, { "catenoid", "a", 1.9 }, { "torus", "r", 1.1 },
+		{ "torus", "R", 3.1 }, { "enneper", "a", 0.4 }, { "spiral", "gap", 0.3 },
+		{ "spiral", "rise", 12 }, { "spiral", "r0", 1.3 }
+	};
+	Synth s;
+	size_t i;
+
+	(void)state;
+	for (i = 0; i < sizeof at/sizeof *at; i++) {
+		assert_int_equal(synth_init(&s, at[i].kind), 0);
+		assert_int_equal(synth_set(&s, at[i].par, at[i].value), 0);
+		check_formulas(&s);
+	}
+}
+
+/* Of closed surfaces around the origin, n points away from it. */
+static void
+normals_point_out(void **state)
+{
+	static const char *const kind[] = { "cap", "mercator", "cylinder", "tooth" };
+	double xyz[3], n[3], cx, cy;
+	SynthDomain dom;
+	Synth s;
+	Diffs d;
+	size_t i;
+
+	(void)state;
+	for (i = 0; i < sizeof kind/sizeof *kind; i++) {
+		assert_int_equal(synth_init(&s, kind[i]), 0);
+		assert_int_equal(synth_domain(&s, &dom), 0);
+		cx = 0.4*dom.x0 + 0.6*dom.x1;
+		cy = 0.55*dom.y0 + 0.45*dom.y1;
+		s.kind->phi(s.p, cx, cy, xyz);
+		d = diffs(&s, cx, cy, 1e-3);
+		cross3(d.x, d.y, n);
+		if (!strcmp(kind[i], "cylinder"))
+			xyz[2] = 0;
+		assert_true(dot3(xyz, n) > 0);
+	}
+}
+
+static void
+moduli_are_known(void **state)
+{
+	SynthDomain d;
+	Synth s;
+
+	(void)state;
+	synth_init(&s, "rectangle");
+	synth_set(&s, "a", 3);
+	synth_set(&s, "b", 2);
+	assert_int_equal(synth_domain(&s, &d), 0);
+	assert_true(fabs(d.T - 2./3) < 1e-15);
+	synth_init(&s, "sector");
+	assert_int_equal(synth_domain(&s, &d), 0);
+	assert_true(fabs(d.T - 2*acos(-1)/3/log(3)) < 1e-14);
+	synth_init(&s, "lshape");
+	assert_int_equal(synth_domain(&s, &d), 0);
+	assert_true(d.T == 1);
+	synth_init(&s, "cap");
+	assert_int_equal(synth_domain(&s, &d), 0);
+	assert_true(d.T == 1);
+	synth_init(&s, "face");
+	assert_int_equal(synth_domain(&s, &d), 0);
+	assert_true(d.T == 0);
+}
+
+static void
+parameters_are_checked(void **state)
+{
+	SynthDomain d;
+	Synth s;
+
+	(void)state;
+	assert_int_equal(synth_init(&s, "sphere"), -1);
+	assert_int_equal(synth_init(&s, ""), -1);
+	assert_int_equal(synth_init(&s, "sector"), 0);
+	assert_int_equal(synth_set(&s, "R", 1), SYNTH_EPAR);
+	assert_int_equal(synth_set(&s, "r0", 0), SYNTH_ERANGE);
+	assert_int_equal(synth_set(&s, "r0", NAN), SYNTH_ERANGE);
+	assert_int_equal(synth_set(&s, "r0", 5), 0);
+	assert_int_equal(synth_domain(&s, &d), SYNTH_EDOMAIN);  /* r1 is 3 */
+	assert_int_equal(synth_set(&s, "r1", 6), 0);
+	assert_int_equal(synth_domain(&s, &d), 0);
+	assert_int_equal(synth_init(&s, "torus"), 0);
+	assert_int_equal(synth_set(&s, "r", 2), 0);             /* as R */
+	assert_int_equal(synth_domain(&s, &d), SYNTH_EDOMAIN);
+}
+
+static int
+by_edge(const void *a, const void *b)
+{
+	return memcmp(a, b, 2*sizeof(int));
+}
+
+/* All directed edges of m, sorted. */
+static int *
+edges(const Mesh *m)
+{
+	int *e = malloc(6*sizeof *e*(size_t)m->nf), f, k;
+
+	assert_non_null(e);
+	for (f = 0; f < m->nf; f++)
+		for (k = 0; k < 3; k++) {
+			e[6*f + 2*k] = m->tri[3*f + k];
+			e[6*f + 2*k + 1] = m->tri[3*f + (k+1)%3];
+		}
+	qsort(e, 3*(size_t)m->nf, 2*sizeof *e, by_edge);
+	return e;
+}
+
+/* Oriented, each directed edge but once; those without a twin are one loop; Euler's
+ * number is 1; all vertices used: a disk, if it is connected, which the loop, together
+ * with Euler's number, does not quite say but the Delaunay triangulation does. */
+static void
+check_disk(const Mesh *m)
+{
+	int *e = edges(m), *next = malloc(sizeof *next*(size_t)m->nv), i, p, nb = 0, steps = 0;
+	int first = -1;
+
+	assert_non_null(next);
+	for (p = 0; p < m->nv; p++)
+		next[p] = -1;
+	for (i = 0; i < 3*m->nf; i++) {
+		int back[2] = { e[2*i+1], e[2*i] };
+
+		assert_true(i == 0 || by_edge(e + 2*i, e + 2*(i-1)));
+		if (bsearch(back, e, 3*(size_t)m->nf, 2*sizeof *e, by_edge))
+			continue;
+		assert_int_equal(next[e[2*i]], -1);
+		next[first = e[2*i]] = e[2*i+1];
+		nb++;
+	}
+	for (p = first; steps < nb && (p != first || steps == 0); steps++)
+		p = next[p];
+	assert_int_equal(steps, nb);
+	assert_int_equal(p, first);
+	assert_int_equal(m->nv - (3*m->nf + nb)/2 + m->nf, 1);
+	for (p = 0; p < 4; p++)
+		assert_true(next[p] >= 0);      /* the corners are on the boundary */
+	memset(next, 0, sizeof *next*(size_t)m->nv);
+	for (i = 0; i < 3*m->nf; i++)
+		next[e[2*i]] = 1;
+	for (p = 0; p < m->nv; p++)
+		assert_int_equal(next[p], 1);
+	free(e);
+	free(next);
+}
+
+static double
+least_angle(const Mesh *m)
+{
+	double a[3], b[3], least = 180, angle;
+	int f, k;
+
+	for (f = 0; f < m->nf; f++)
+		for (k = 0; k < 3; k++) {
+			const double *p = m->xyz + 3*m->tri[3*f + k];
+
+			sub3(m->xyz + 3*m->tri[3*f + (k+1)%3], p, a);
+			sub3(m->xyz + 3*m->tri[3*f + (k+2)%3], p, b);
+			angle = acos(dot3(a, b)/(norm3(a)*norm3(b)))*180/acos(-1);
+			assert_true(angle > 0);
+			least = angle < least ? angle : least;
+		}
+	return least;
+}
+
+static int
+is_strip(const char *name)
+{
+	return !strcmp(name, "spiral") || !strcmp(name, "moebius") || !strcmp(name, "cortex");
+}
+
+static void
+meshes_are_disks(void **state)
+{
+	static const int size[] = { 50, 400, 6000 };
+	const SynthKind *k;
+	Synth s;
+	Mesh m;
+	int i, j;
+
+	(void)state;
+	for (i = 0; (k = synth_kind(i)); i++)
+		for (j = 0; j < 3; j++) {
+			synth_init(&s, k->name);
+			assert_int_equal(synth_mesh(&s, size[j], 5, &m, NULL), 0);
+			assert_true(abs(m.nv - size[j]) <= size[j]/10);
+			check_disk(&m);
+			assert_true(least_angle(&m) > (is_strip(k->name) ? 3 : 10));
+			mesh_free(&m);
+		}
+}
+
+/* However few are asked for: a disk, or the plain answer that it cannot be. */
+static void
+few_vertices(void **state)
+{
+	const SynthKind *k;
+	Synth s;
+	Mesh m;
+	int err, i, n;
+
+	(void)state;
+	for (i = 0; (k = synth_kind(i)); i++)
+		for (n = 4; n < 30; n++) {
+			synth_init(&s, k->name);
+			err = synth_mesh(&s, n, 1, &m, NULL);
+			assert_true(err == 0 || err == SYNTH_EMESH);
+			if (err)
+				continue;
+			check_disk(&m);
+			mesh_free(&m);
+		}
+}
+
+/* Vertices 0 1 2 3 are where synth.h says; (u,v) is the point of the box, 0..1. */
+static void
+check_corners(const SynthDomain *d, const double *xy)
+{
+	const double r = (1 + sqrt(0.5))/2, l = 1 - r;
+	const double at[3][4][2] = {
+		[SYNTH_RECT] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } },
+		[SYNTH_OVAL] = { { l, l }, { r, l }, { r, r }, { l, r } },
+		[SYNTH_LSHAPE] = { { 0, 0 }, { 1, 0 }, { 0.5, 0.5 }, { 0, 1 } }
+	};
+	int i;
+
+	for (i = 0; i < 4; i++) {
+		assert_true(fabs((xy[2*i] - d->x0)/(d->x1 - d->x0) - at[d->shape][i][0]) < 1e-14);
+		assert_true(fabs((xy[2*i+1] - d->y0)/(d->y1 - d->y0) - at[d->shape][i][1]) < 1e-14);
+	}
+}
+
+/* Vertices are phi of their parameters, corners first, faces turned with phi_x x phi_y. */
+static void
+vertices_lie_on_the_surface(void **state)
+{
+	const SynthKind *k;
+	SynthDomain d;
+	double *xy, xyz[3], e[3], g[3], n[3], area;
+	Synth s;
+	Diffs at;
+	Mesh m;
+	int i, p, f, *t, with = 0;
+
+	(void)state;
+	for (i = 0; (k = synth_kind(i)); i++) {
+		synth_init(&s, k->name);
+		assert_int_equal(synth_domain(&s, &d), 0);
+		assert_int_equal(synth_mesh(&s, 3000, 1, &m, &xy), 0);
+		for (p = 0; p < m.nv; p++) {
+			k->phi(s.p, xy[2*p], xy[2*p+1], xyz);
+			assert_memory_equal(xyz, m.xyz + 3*p, sizeof xyz);
+		}
+		for (f = 0; f < m.nf; f++) {
+			t = m.tri + 3*f;
+			area = (xy[2*t[1]] - xy[2*t[0]])*(xy[2*t[2]+1] - xy[2*t[0]+1])
+				- (xy[2*t[2]] - xy[2*t[0]])*(xy[2*t[1]+1] - xy[2*t[0]+1]);
+			assert_true(area > 0);
+			if (!k->lambda)
+				continue;
+			sub3(m.xyz + 3*t[1], m.xyz + 3*t[0], e);
+			sub3(m.xyz + 3*t[2], m.xyz + 3*t[0], g);
+			cross3(e, g, n);
+			at = diffs(&s, xy[2*t[0]], xy[2*t[0]+1], 1e-4);
+			cross3(at.x, at.y, e);
+			with += dot3(n, e) > 0;
+			assert_true(dot3(n, e) > 0);
+		}
+		check_corners(&d, xy);
+		mesh_free(&m);
+		free(xy);
+	}
+	assert_true(with > 0);
+}
+
+static void
+seeds_decide(void **state)
+{
+	Mesh a, b, c;
+	Synth s;
+
+	(void)state;
+	synth_init(&s, "torus");
+	assert_int_equal(synth_mesh(&s, 3000, 1, &a, NULL), 0);
+	assert_int_equal(synth_mesh(&s, 3000, 1, &b, NULL), 0);
+	assert_int_equal(synth_mesh(&s, 3000, 2, &c, NULL), 0);
+	assert_int_equal(a.nv, b.nv);
+	assert_int_equal(a.nf, b.nf);
+	assert_memory_equal(a.xyz, b.xyz, 3*sizeof *a.xyz*(size_t)a.nv);
+	assert_memory_equal(a.tri, b.tri, 3*sizeof *a.tri*(size_t)a.nf);
+	assert_true(a.nv != c.nv || memcmp(a.xyz, c.xyz, 3*sizeof *a.xyz*(size_t)a.nv));
+	mesh_free(&a);
+	mesh_free(&b);
+	mesh_free(&c);
+}
+
+/* Integral of |phi_x x phi_y| by midpoints. */
+static double
+true_area(const Synth *s, const SynthDomain *d)
+{
+	enum { N = 500 };
+	double w = (d->x1 - d->x0)/N, h = (d->y1 - d->y0)/N, x, y, n[3], sum = 0;
+	Diffs at;
+	int i, j;
+
+	for (j = 0; j < N; j++)
+		for (i = 0; i < N; i++) {
+			x = d->x0 + (i + 0.5)*w;
+			y = d->y0 + (j + 0.5)*h;
+			if (!synth_inside(d, x, y))
+				continue;
+			at = diffs(s, x, y, 1e-4*(d->x1 - d->x0));
+			cross3(at.x, at.y, n);
+			if (s->kind->lambda) {
+				double l = s->kind->lambda(s->p, x, y);
+
+				sum += w*h*l*l;
+			} else
+				sum += w*h*norm3(n);
+		}
+	return sum;
+}
+
+/* The error falls with the area of the triangles. */
+static void
+area_converges(void **state)
+{
+	const SynthKind *k;
+	double A, err[2];
+	SynthDomain d;
+	Synth s;
+	Mesh m;
+	int i, j;
+
+	(void)state;
+	for (i = 0; (k = synth_kind(i)); i++) {
+		synth_init(&s, k->name);
+		assert_int_equal(synth_domain(&s, &d), 0);
+		A = true_area(&s, &d);
+		for (j = 0; j < 2; j++) {
+			assert_int_equal(synth_mesh(&s, j ? 16000 : 1000, 3, &m, NULL), 0);
+			err[j] = fabs(mesh_area(&m)/A - 1);
+			mesh_free(&m);
+		}
+		assert_true(err[1] < 1e-2);
+		assert_true(err[1] < err[0]/8 || err[1] < 2e-4);
+	}
+}
+
+/* The sizes of triangles differ little where the parametrisation is conformal, though
+ * lambda does: the largest edge is less than four times the least. */
+static void
+meshes_are_even(void **state)
+{
+	const SynthKind *k;
+	double least, most, e[3];
+	Synth s;
+	Mesh m;
+	int i, f, j;
+
+	(void)state;
+	for (i = 0; (k = synth_kind(i)); i++) {
+		if (!k->lambda)
+			continue;
+		synth_init(&s, k->name);
+		assert_int_equal(synth_mesh(&s, 6000, 1, &m, NULL), 0);
+		for (least = HUGE_VAL, most = 0, f = 0; f < m.nf; f++)
+			for (j = 0; j < 3; j++) {
+				sub3(m.xyz + 3*m.tri[3*f + j], m.xyz + 3*m.tri[3*f + (j+1)%3], e);
+				least = fmin(least, norm3(e));
+				most = fmax(most, norm3(e));
+			}
+		assert_true(most < 4*least);
+		mesh_free(&m);
+	}
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(formulas_are_true),
+		cmocka_unit_test(formulas_hold_for_other_parameters),
+		cmocka_unit_test(normals_point_out),
+		cmocka_unit_test(moduli_are_known),
+		cmocka_unit_test(parameters_are_checked),
+		cmocka_unit_test(meshes_are_disks),
+		cmocka_unit_test(few_vertices),
+		cmocka_unit_test(vertices_lie_on_the_surface),
+		cmocka_unit_test(seeds_decide),
+		cmocka_unit_test(area_converges),
+		cmocka_unit_test(meshes_are_even),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
