@@ -1,0 +1,103 @@
+/* describe.c - a grid in words, or as JSON. */
+#include <stdio.h>
+#include <string.h>
+
+#include "describe.h"
+#include "json.h"
+
+static const char *const support[] = { "grid", "border", "lattice" };
+
+typedef struct Range {
+	double min, max, mean;
+} Range;
+
+/* The mean by steps, so that no sum overflows. */
+static Range
+range(const LhgChannel *c)
+{
+	Range r = { c->f[0], c->f[0], c->f[0] };
+	size_t i;
+
+	for (i = 1; i < c->n; i++) {
+		r.min = c->f[i] < r.min ? c->f[i] : r.min;
+		r.max = c->f[i] > r.max ? c->f[i] : r.max;
+		r.mean += c->f[i]/(double)(i+1) - r.mean/(double)(i+1);
+	}
+	return r;
+}
+
+/* Each line of s (NULL: none) between the words before and after, with the JSON string
+ * of what stands before its first space, too, where pairs is set. */
+static void
+json_lines(FILE *f, const char *s, int pairs)
+{
+	char line[LHG_MAXHEAD], *rest;
+	const char *end, *sep = "";
+
+	for (; s && (end = strchr(s, '\n')); s = end + 1, sep = ", ") {
+		snprintf(line, sizeof line, "%.*s", (int)(end - s), s);
+		fputs(sep, f);
+		rest = pairs ? strchr(line, ' ') : NULL;
+		if (rest) {
+			*rest++ = '\0';
+			json_string(f, line);
+			fputs(": ", f);
+		}
+		json_string(f, rest ? rest : line);
+	}
+}
+
+void
+describe_json(FILE *f, const char *name, const Lhg *g)
+{
+	const LhgChannel *c;
+	Range r;
+
+	fputs("{ \"file\": ", f);
+	json_string(f, name);
+	fprintf(f, ", \"nu\": %d, \"nv\": %d, \"T\": %.17g, \"frame\": %d, \"frames\": %d, \"channels\": [",
+		g->nu, g->nv, g->T, g->frame, g->frames);
+	for (c = g->chan; c < g->chan + g->nchan; c++) {
+		r = range(c);
+		fprintf(f, "%s{ \"name\": ", c == g->chan ? "" : ", ");
+		json_string(f, c->name);
+		fputs(", \"unit\": ", f);
+		json_string(f, c->unit);
+		fprintf(f, ", \"support\": \"%s\", \"step\": %d, \"samples\": %zu, \"min\": %.17g, "
+			"\"max\": %.17g, \"mean\": %.17g }", support[c->support], c->step, c->n, r.min, r.max, r.mean);
+	}
+	fputs("], \"meta\": { ", f);
+	json_lines(f, g->meta, 1);
+	fputs(" }, \"history\": [", f);
+	json_lines(f, g->hist, 0);
+	fputs("] }\n", f);
+}
+
+static void
+print_lines(FILE *f, const char *word, const char *s)
+{
+	const char *end;
+
+	for (; s && (end = strchr(s, '\n')); s = end + 1)
+		fprintf(f, "  %s %.*s\n", word, (int)(end - s), s);
+}
+
+void
+describe_text(FILE *f, const char *name, const Lhg *g)
+{
+	const LhgChannel *c;
+	char span[32];
+	Range r;
+
+	for (; *name; name++)
+		putc((unsigned char)*name < ' ' || *name == 0x7f ? '?' : *name, f);
+	fprintf(f, ": %d x %d nodes, T %.9g, frame %d of %d\n", g->nu, g->nv, g->T, g->frame, g->frames);
+	for (c = g->chan; c < g->chan + g->nchan; c++) {
+		r = range(c);
+		snprintf(span, sizeof span, c->step ? "%s %d" : "%s", support[c->support], c->step);
+		fprintf(f, "  channel %-8s %-9s %-11s %8zu samples  min %-12.6g max %-12.6g mean %.6g\n",
+			c->name, c->unit, span, c->n, r.min, r.max, r.mean);
+	}
+	print_lines(f, "meta", g->meta);
+	print_lines(f, "history", g->hist);
+}

@@ -1,0 +1,59 @@
+/* lhinfo - what a stream of grids holds */
+#include <stdlib.h>
+
+#include "cmd.h"
+#include "describe.h"
+
+static const char text[] =
+"usage: lhinfo [--json] [FILE...]\n"
+"Reads streams of grids to their ends (- or nothing: stdin), which checks every byte, and\n"
+"prints for each grid its size, height T, frame, channels with unit, support, number of\n"
+"samples, least, largest and mean sample, metadata and history.\n"
+"      --json         one JSON object a line for each grid\n"
+CMD_USAGE;
+
+static const struct option longopt[] = {
+	{ "json", no_argument, NULL, 'j' },
+	CMD_LONGOPT
+};
+
+static void
+info(FILE *f, const char *path, int json)
+{
+	CmdInput in;
+	Lhg g;
+
+	cmd_open(&in, path);
+	while (cmd_read(&in, &g)) {
+		(json ? describe_json : describe_text)(f, in.name, &g);
+		lhg_free(&g);
+	}
+}
+
+int
+main(int argc, char *argv[])
+{
+	char *bytes = NULL;
+	int opt, json = 0;
+	size_t n;
+	FILE *f;
+
+	cmd_begin("lhinfo", text);
+	while ((opt = cmd_getopt(argc, argv, "", longopt)) != -1)
+		if (opt == 'j')
+			json = 1;
+	cmd_operands(argc, argv, 0, argc);
+
+	if (!(f = open_memstream(&bytes, &n)))
+		die("no memory");
+	if (optind == argc)
+		info(f, NULL, json);
+	for (; optind < argc; optind++)
+		info(f, argv[optind], json);
+	if (fclose(f))
+		die("no memory");
+	cmd_emit(NULL, bytes, n);
+
+	free(bytes);
+	return cmd_end();
+}

@@ -1,0 +1,51 @@
+/* gridmesh.c - a gridded surface as a triangle mesh. */
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "gridmesh.h"
+
+static double
+dist2(const Mesh *m, int p, int q)
+{
+	const double *a = m->xyz + 3*(size_t)p, *b = m->xyz + 3*(size_t)q;
+	double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+
+	return x*x + y*y + z*z;
+}
+
+/* The two triangles of the cell whose lowest node is p. */
+static void
+split(const Mesh *m, int p, int nu, int tri[6])
+{
+	const int a = p, b = p+1, c = p+1+nu, d = p+nu;
+	const int ac[6] = { a, b, c, a, c, d }, bd[6] = { a, b, d, b, c, d };
+
+	memcpy(tri, dist2(m, b, d) < dist2(m, a, c) ? bd : ac, sizeof ac);
+}
+
+int
+mesh_from_grid(Mesh *m, int nu, int nv, const double *x, const double *y, const double *z)
+{
+	int i, j, p;
+
+	memset(m, 0, sizeof *m);
+	if (nu > INT_MAX/6/nv)
+		return MESH_ENOMEM;
+	m->nv = nu*nv;
+	m->xyz = malloc((size_t)m->nv*3*sizeof *m->xyz);
+	m->tri = malloc((size_t)m->nv*6*sizeof *m->tri);
+	if (!m->xyz || !m->tri) {
+		mesh_free(m);
+		return MESH_ENOMEM;
+	}
+	for (p = 0; p < m->nv; p++) {
+		m->xyz[3*(size_t)p] = x[p];
+		m->xyz[3*(size_t)p+1] = y[p];
+		m->xyz[3*(size_t)p+2] = z[p];
+	}
+	for (j = 0; j < nv-1; j++)
+		for (i = 0; i < nu-1; i++, m->nf += 2)
+			split(m, j*nu + i, nu, m->tri + 3*(size_t)m->nf);
+	return 0;
+}
