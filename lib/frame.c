@@ -202,10 +202,10 @@ read_band(Given *s, double *const phi[3], int *at)
 	return 0;
 }
 
-/* p and q at a free node made what tangents of a conformal chart are, orthogonal and of
- * length lambda: the nearest such pair, lambda B (B'B)^(-1/2) for B = (p q). */
-static void
-make_conformal(double lambda, double *p, double *q)
+/* With B = (p q): lambda B (B'B)^(-1/2), the inverse square root of a 2 x 2 matrix in
+ * closed form. */
+void
+frame_make_conformal(double lambda, double p[3], double q[3])
 {
 	double E = dot3(p, p), F = dot3(p, q), G = dot3(q, q);
 	double root = sqrt(fmax(E*G - F*F, 0)), s = lambda/(root*sqrt(E + G + 2*root)), a, b;
@@ -259,7 +259,7 @@ frame_surface(Chart g, const double *lambda, const double *H, double *const phi[
 	if (!e)
 		e = cellsq_solve(&frame, s.pqn, report);
 	for (p = 0; !e && p < n; p++)
-		make_conformal(lambda[p], s.pqn + 9*p, s.pqn + 9*p + 3);
+		frame_make_conformal(lambda[p], s.pqn + 9*p, s.pqn + 9*p + 3);
 	if (!e)
 		e = positions(&s, phi, report);
 	free(s.DM);

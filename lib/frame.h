@@ -33,4 +33,8 @@ enum { FRAME_EBAND = -10 };     /* the band has no tangent plane at node *at */
 int frame_surface(Chart g, const double *lambda, const double *H, double *const phi[3],
 	int *at, SpdReport *report);
 
+/* p and q made the nearest pair that is orthogonal and of length lambda, in the least
+ * squares sense; a pair that is parallel or 0 stays as it is. */
+void frame_make_conformal(double lambda, double p[3], double q[3]);
+
 #endif

@@ -50,6 +50,15 @@ enneper(double u, double v)
 	return (Node){ { x - x*x*x/3 + x*y*y, y - y*y*y/3 + y*x*x, x*x - y*y }, 1 + x*x + y*y, 0 };
 }
 
+/* R = sqrt(2), r = 1, outward: the one here whose H varies. */
+static inline Node
+torus(double u, double v)
+{
+	double R = sqrt(2), t = 2*atan((R + 1)*tan((v - 0.1)/2)), l = R + cos(t);
+
+	return (Node){ { l*cos(u), l*sin(u), sin(t) }, l, -(1 + cos(t)/l)/2 };
+}
+
 static inline Node
 plane(double u, double v)
 {
@@ -64,7 +73,7 @@ sample_immersion(Immersion *f, Chart g, double s, double *phi[3], double *lambda
 
 	for (p = 0, j = 0; j < g.nv; j++)
 		for (i = 0; i < g.nu; i++, p++) {
-			Node n = f(i*chart_h(g), j*chart_k(g));
+			Node n = f(i/(g.nu - 1.0), j*g.T/(g.nv - 1));
 
 			for (c = 0; c < 3 && phi; c++)
 				phi[c][p] = s*n.x[c];

@@ -60,7 +60,7 @@ from_differences(Immersion *f, Chart g)
 static void
 second_order(void **state)
 {
-	Immersion *f[] = { stereo, cylinder, catenoid, enneper };
+	Immersion *f[] = { stereo, cylinder, catenoid, enneper, torus };
 	size_t i;
 
 	(void)state;
@@ -103,6 +103,36 @@ sign_of_H_matters(void **state)
 	assert_true(reconstruct(COARSE) > 20*right);
 }
 
+/* Orthogonal, of length lambda, and no other such pair is nearer: not one turned a
+ * little about any axis. */
+static void
+nearest_conformal_pair(void **state)
+{
+	const double p0[3] = { 1, 0.4, -0.3 }, q0[3] = { 0.2, 2, 0.5 }, a = 1e-3;
+	double p[3], q[3], best, d;
+	int axis, sign, b, c;
+
+	(void)state;
+	memcpy(p, p0, sizeof p);
+	memcpy(q, q0, sizeof q);
+	frame_make_conformal(1.7, p, q);
+	assert_true(fabs(p[0]*q[0] + p[1]*q[1] + p[2]*q[2]) < 1e-14);
+	assert_true(fabs(hypot(hypot(p[0], p[1]), p[2]) - 1.7) < 1e-14);
+	assert_true(fabs(hypot(hypot(q[0], q[1]), q[2]) - 1.7) < 1e-14);
+	for (best = 0, c = 0; c < 3; c++)
+		best += pow(p[c] - p0[c], 2) + pow(q[c] - q0[c], 2);
+	for (axis = 0; axis < 3; axis++)
+		for (sign = -1; sign <= 1; sign += 2) {
+			b = (axis + 1)%3, c = (axis + 2)%3;
+			d = pow(p[axis] - p0[axis], 2) + pow(q[axis] - q0[axis], 2);
+			d += pow(cos(a)*p[b] - sign*sin(a)*p[c] - p0[b], 2);
+			d += pow(sign*sin(a)*p[b] + cos(a)*p[c] - p0[c], 2);
+			d += pow(cos(a)*q[b] - sign*sin(a)*q[c] - q0[b], 2);
+			d += pow(sign*sin(a)*q[b] + cos(a)*q[c] - q0[c], 2);
+			assert_true(d > best);
+		}
+}
+
 static void
 flat_band_is_refused(void **state)
 {
@@ -133,6 +163,7 @@ main(void)
 		cmocka_unit_test(exact_on_plane),
 		cmocka_unit_test(free_of_the_unit_of_length),
 		cmocka_unit_test(sign_of_H_matters),
+		cmocka_unit_test(nearest_conformal_pair),
 		cmocka_unit_test(flat_band_is_refused),
 		cmocka_unit_test(all_band_stays),
 	};
