@@ -1,0 +1,145 @@
+/* adapt.c - solve, look where the certificate sits, split, solve again. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "adapt.h"
+#include "rectmap.h"
+#include "refine.h"
+#include "vec3.h"
+
+static const double SHARE = 0.7;        /* of the certificate: what the split faces hold */
+
+/* What triangle t adds to T certificate: with a, b its sides at corner 0, g their Gram
+ * matrix and A its area, grad u . grad u = (u_b^2 g_aa - 2 u_a u_b g_ab + u_a^2 g_bb)/(4 A^2). */
+static double
+term(const AdaptMap *m, int t)
+{
+	const int *c = &m->d.m.tri[3*t];
+	const double *x = m->d.m.xyz;
+	double a[3], b[3], n[3], area, gaa, gab, gbb, energy;
+	double ua = m->u[c[1]] - m->u[c[0]], ub = m->u[c[2]] - m->u[c[0]];
+	double va = m->v[c[1]] - m->v[c[0]], vb = m->v[c[2]] - m->v[c[0]];
+
+	sub3(&x[3*c[1]], &x[3*c[0]], a);
+	sub3(&x[3*c[2]], &x[3*c[0]], b);
+	cross3(a, b, n);
+	area = norm3(n)/2;
+	gaa = dot3(a, a), gab = dot3(a, b), gbb = dot3(b, b);
+	energy = (ub*ub + vb*vb)*gaa - 2*(ua*ub + va*vb)*gab + (ua*ua + va*va)*gbb;
+	return energy/(8*area) - (ua*vb - ub*va)/2;
+}
+
+typedef struct Ranked {
+	double term;
+	int    t;
+} Ranked;
+
+static int
+larger_first(const void *a, const void *b)
+{
+	const Ranked *x = a, *y = b;
+
+	if (x->term != y->term)
+		return x->term < y->term ? 1 : -1;
+	return x->t > y->t ? 1 : -1;
+}
+
+/* Marks the fewest triangles that hold SHARE of the certificate, at most `most` of them. */
+static int
+mark(const AdaptMap *m, int most, unsigned char *marked)
+{
+	int nf = m->d.m.nf, t, k;
+	Ranked *r = malloc(nf*sizeof *r);
+	double all = 0, sum = 0;
+
+	if (!r)
+		return SPD_ENOMEM;
+	memset(marked, 0, nf);
+	for (t = 0; t < nf; t++) {
+		r[t] = (Ranked){ term(m, t), t };
+		all += r[t].term;
+	}
+	qsort(r, nf, sizeof *r, larger_first);
+	for (k = 0; k < nf && k < most && sum < SHARE*all; k++) {
+		sum += r[k].term;
+		marked[r[k].t] = 1;
+	}
+	free(r);
+	return 0;
+}
+
+static int
+solve(AdaptMap *m, const int vertex[4], SpdReport *report)
+{
+	int i, k;
+
+	free(m->u);
+	free(m->v);
+	m->u = malloc(m->d.m.nv*sizeof *m->u);
+	m->v = malloc(m->d.m.nv*sizeof *m->v);
+	if (!m->u || !m->v)
+		return SPD_ENOMEM;
+	for (i = 0; i < m->d.nb; i++)
+		for (k = 0; k < 4; k++)
+			if (m->d.loop[i] == vertex[k])
+				m->corner[k] = i;
+	return rectmap(&m->d, m->corner, m->u, m->v, &m->T, &m->certificate, report);
+}
+
+static int
+split(AdaptMap *m, int most)
+{
+	unsigned char *marked = malloc(m->d.m.nf);
+	Disk finer;
+	int e = marked ? mark(m, most, marked) : SPD_ENOMEM;
+
+	if (!e && refine_split(&m->d, marked, &finer))
+		e = SPD_ENOMEM;
+	free(marked);
+	if (e)
+		return e;
+	disk_free(&m->d);
+	m->d = finer;
+	m->rounds++;
+	return 0;
+}
+
+/* d's own arrays: nothing of d is shared. */
+static int
+copy_disk(const Disk *d, Disk *copy)
+{
+	unsigned char *none = calloc(d->m.nf, 1);
+	int e = none ? refine_split(d, none, copy) : MESH_ENOMEM;
+
+	free(none);
+	return e ? SPD_ENOMEM : 0;
+}
+
+int
+adapt_map(const Disk *d, const int vertex[4], double tolerance, int most, AdaptMap *a, SpdReport *report)
+{
+	int e;
+
+	memset(a, 0, sizeof *a);
+	e = copy_disk(d, &a->d);
+	if (!e)
+		e = solve(a, vertex, report);
+	while (!e && a->certificate > tolerance && a->d.m.nv < most) {
+		e = split(a, (most - a->d.m.nv)/2);
+		if (!e)
+			e = solve(a, vertex, report);
+	}
+	if (e)
+		adapt_free(a);
+	return e;
+}
+
+void
+adapt_free(AdaptMap *a)
+{
+	disk_free(&a->d);
+	free(a->u);
+	free(a->v);
+	a->u = a->v = NULL;
+}

@@ -1,0 +1,31 @@
+/* adapt.h - the conformal map of a disk, its facets split where the map errs most. */
+#ifndef ADAPT_H
+#define ADAPT_H
+
+#include "mesh.h"
+#include "spd.h"
+
+/* With v = T v1 the energies of a map say E(u) + T^2 E(v1) = 2 T (1 + certificate), and
+ * the image has area T: so the certificate is a sum over triangles,
+ *
+ *   T certificate = sum (|grad u|^2 + |grad v|^2) A/2 - (area of the image),
+ *
+ * each term >= 0 and 0 only where the triangle is mapped conformally.  Those with the
+ * largest terms are split, until the certificate is at most `tolerance` or the next
+ * mesh would exceed `most` vertices. */
+typedef struct AdaptMap {
+	Disk    d;              /* the triangulation solved on last; its first vertices are
+	                         * those of the disk given */
+	int     corner[4];      /* in its loop */
+	double *u, *v, T, certificate;
+	int     rounds;         /* of splitting */
+} AdaptMap;
+
+/* vertex: the corners, as vertex numbers.  Returns 0, or SPD_ENOMEM, SPD_EINDEFINITE,
+ * SPD_ELARGE; a then holds nothing to free. */
+int adapt_map(const Disk *d, const int vertex[4], double tolerance, int most, AdaptMap *a,
+	SpdReport *report);
+
+void adapt_free(AdaptMap *a);
+
+#endif

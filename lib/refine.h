@@ -1,0 +1,17 @@
+/* refine.h - finer triangulations of a disk, on its own facets. */
+#ifndef REFINE_H
+#define REFINE_H
+
+#include "mesh.h"
+
+/* Split the marked faces ([nf], 1 or 0) into four and their neighbours as far as needed
+ * for a conforming mesh, by longest-edge bisection (Rivara): angles stay bounded by half
+ * of the smallest there was, obtuse ones are cut.  New vertices are midpoints of edges
+ * and numbered after the old, which keep number and place.
+ *
+ * finer  out  a disk of the same surface (its note and err are ""); disk_free it
+ *
+ * Returns 0 or MESH_ENOMEM; finer then holds nothing to free. */
+int refine_split(const Disk *d, const unsigned char *marked, Disk *finer);
+
+#endif
