@@ -1,0 +1,184 @@
+/* gradient.c - neighbourhoods, and the limits on what is fitted there. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "polyfit.h"
+#include "vec3.h"
+
+enum {
+	WANT  = 15,     /* rings are added below so many points */
+	RINGS = 6,
+	FAN   = 16      /* triangles of one vertex that are followed: a hub of a million
+	                 * triangles must not cost its neighbours a million each */
+};
+
+/* The triangles at vertex i: face[first[i]] .. face[first[i+1]-1]. */
+typedef struct Star {
+	int *first, *face;
+} Star;
+
+static int
+star_init(Star *s, const Mesh *m)
+{
+	int i, k;
+
+	s->first = calloc((size_t)m->nv + 2, sizeof *s->first);
+	s->face = malloc((3*(size_t)m->nf + 1)*sizeof *s->face);
+	if (!s->first || !s->face)
+		return GRADIENT_ENOMEM;
+	for (k = 0; k < 3*m->nf; k++)
+		s->first[m->tri[k] + 2]++;
+	for (i = 0; i < m->nv; i++)
+		s->first[i + 2] += s->first[i + 1];
+	for (k = 0; k < 3*m->nf; k++)
+		s->face[s->first[m->tri[k] + 1]++] = k/3;
+	return 0;
+}
+
+static void
+join(Hood *h, int v)
+{
+	unsigned k = (unsigned)v%(2*POLYFIT_MOST);
+
+	for (; h->slot[k]; k = (k + 1)%(2*POLYFIT_MOST))
+		if (h->v[h->slot[k] - 1] == v)
+			return;
+	if (h->n == POLYFIT_MOST)
+		return;
+	h->v[h->n++] = v;
+	h->slot[k] = h->n;
+}
+
+static void
+grow(const Mesh *m, const Star *s, Hood *h)
+{
+	int end = h->n, k, l, c;
+
+	for (k = h->ring; k < end; k++) {
+		int i = h->v[k], last = s->first[i + 1], step = 1 + (last - s->first[i] - 1)/FAN;
+
+		for (l = s->first[i]; l < last; l += step)
+			for (c = 0; c < 3; c++)
+				join(h, m->tri[3*s->face[l] + c]);
+	}
+	h->ring = end;
+}
+
+static double
+longest_side(const Mesh *m, const int *tri)
+{
+	double d[3], most = 0;
+	int k;
+
+	for (k = 0; k < 3; k++) {
+		sub3(&m->xyz[3*tri[k]], &m->xyz[3*tri[(k+1)%3]], d);
+		most = fmax(most, norm3(d));
+	}
+	return most;
+}
+
+/* By how much the jet at i may be scaled to keep the limits along the side i j of a
+ * triangle with longest side L: 1 if it keeps them as it is.  |s phi'(e) - d| is at most
+ * s |phi'(e) - d| + (1 - s) |d|. */
+static double
+room(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j, double L)
+{
+	double du = u[j] - u[i], dv = v[j] - v[i], d[3], first[3], second[3], bend, turn, s = 1;
+	int c;
+
+	sub3(&m->xyz[3*j], &m->xyz[3*i], d);
+	for (c = 0; c < 3; c++) {
+		first[c] = jet->u[c]*du + jet->v[c]*dv - d[c];
+		second[c] = (jet->uu[c]*du*du + 2*jet->uv[c]*du*dv + jet->vv[c]*dv*dv)/8;
+	}
+	bend = norm3(first);
+	turn = norm3(second);
+	if (!isfinite(bend) || !isfinite(turn))
+		return 0;
+	if (!(bend <= GRADIENT_BEND*L))
+		s = (GRADIENT_BEND*L - norm3(d))/(bend - norm3(d));
+	if (!(turn <= GRADIENT_BEND*L))
+		s = fmin(s, GRADIENT_BEND*L/turn);
+	return fmax(s, 0);
+}
+
+static double
+least_room(const Mesh *m, const Star *s, const double *u, const double *v, const Jet *jet, int i)
+{
+	double least = 1, L;
+	int l, k;
+
+	for (l = s->first[i]; l < s->first[i + 1]; l++) {
+		const int *tri = &m->tri[3*s->face[l]];
+
+		L = longest_side(m, tri);
+		for (k = 0; k < 3; k++)
+			if (tri[k] != i)
+				least = fmin(least, room(m, u, v, jet, i, tri[k], L));
+	}
+	return least;
+}
+
+static void
+scale(Jet *jet, double s)
+{
+	int c;
+
+	if (!(s > 0))
+		memset(jet, 0, sizeof *jet);
+	for (c = 0; c < 3; c++) {
+		jet->u[c] *= s, jet->v[c] *= s;
+		jet->uu[c] *= s, jet->uv[c] *= s, jet->vv[c] *= s;
+	}
+}
+
+/* The jet at vertex i.  Returns 1 when a term is missing, 2 when it was limited, or the
+ * sum. */
+static int
+vertex(const Mesh *m, const Star *s, const double *u, const double *v, int i, Jet *jet)
+{
+	Hood h = { 0 };
+	double most = 0;
+	int ring, degree;
+	Polyfit f;
+
+	join(&h, i);
+	for (f.rank = 0, ring = 1; ring <= RINGS && f.rank < POLYFIT_TERMS; ring++) {
+		grow(m, s, &h);
+		if (ring < 2 || (h.n <= WANT && ring < RINGS))
+			continue;
+		polyfit(&f, &h, m, u, v);
+	}
+	for (degree = 3; degree > 0; degree--) {
+		polyfit_jet(&f, degree, jet);
+		most = least_room(m, s, u, v, jet, i);
+		if (most >= 1)
+			break;
+	}
+	if (most < 1)
+		scale(jet, most);
+	return (f.rank < POLYFIT_TERMS) + 2*(degree < 3);
+}
+
+int
+gradient_fit(const Mesh *m, const double *u, const double *v, Jet *jet, GradientReport *report)
+{
+	int i, low = 0, limited = 0, e;
+	Star s;
+
+	e = star_init(&s, m);
+	if (!e) {
+#pragma omp parallel for schedule(dynamic, 256) reduction(+:low, limited)
+		for (i = 0; i < m->nv; i++) {
+			int said = vertex(m, &s, u, v, i, &jet[i]);
+
+			low += said & 1;
+			limited += said >> 1;
+		}
+		if (report)
+			*report = (GradientReport){ low, limited };
+	}
+	free(s.first);
+	free(s.face);
+	return e;
+}

@@ -1,0 +1,38 @@
+/* polyfit.h - one cubic polynomial through a vertex, by weighted least squares over the
+ * vertices around it.  Private to lib/; gradient.h says what is minimised.
+ */
+#ifndef POLYFIT_H
+#define POLYFIT_H
+
+#include "gradient.h"
+
+enum {
+	POLYFIT_MOST  = 64,     /* points of a neighbourhood, its centre included */
+	POLYFIT_TERMS = 9,      /* x y  xx xy yy  xxx xxy xyy yyy */
+	POLYFIT_COLS  = POLYFIT_TERMS + 3
+};
+
+/* Vertices around v[0], ring after ring; the outermost begins at ring.  slot is a hash
+ * table of v: 1 more than the place of a vertex, or 0. */
+typedef struct Hood {
+	int           n, ring;
+	int           v[POLYFIT_MOST];
+	unsigned char slot[2*POLYFIT_MOST];
+} Hood;
+
+/* Rows of weighted monomials and differences of phi, made triangular. */
+typedef struct Polyfit {
+	int    rows, rank;
+	int    term[POLYFIT_TERMS];     /* of column 0 .. rank-1 of the triangle, rising */
+	double to[2][2];                /* (x,y) = to (du,dv) */
+	double a[POLYFIT_MOST][POLYFIT_COLS];
+} Polyfit;
+
+/* Fit; f->rank is then 9, or less when points are too few or lie so that some terms
+ * depend on earlier ones. */
+void polyfit(Polyfit *f, const Hood *h, const Mesh *m, const double *u, const double *v);
+
+/* The derivatives at v[0] of the fit that uses only the terms up to a degree, 1 to 3. */
+void polyfit_jet(const Polyfit *f, int degree, Jet *jet);
+
+#endif

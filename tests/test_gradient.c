@@ -1,0 +1,336 @@
+/* test_gradient.c - lib/gradient.h against polynomials, limits and its promises. */
+#include "cmock.h"
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+#include "charted.h"
+
+/* The five derivatives as one array of 15. */
+static const double *
+flat(const Jet *j)
+{
+	return (const double *)j;
+}
+
+/* Largest error of the derivatives of order 1 and 2 over all vertices, those of order k
+ * in units of su^a sv^b, a + b = k. */
+static void
+errors(const Charted *s, Surface *f, double su, double sv, double e[2])
+{
+	double unit[5] = { su, sv, su*su, su*sv, sv*sv }, phi[3];
+	int i, k;
+	Jet j;
+
+	e[0] = e[1] = 0;
+	for (i = 0; i < s->m.nv; i++) {
+		f(s->u[i]*su, s->v[i]*sv, phi, &j);
+		for (k = 0; k < 15; k++) {
+			double d = fabs(flat(&s->jet[i])[k]/unit[k/3] - flat(&j)[k]);
+
+			e[k >= 6] = d <= e[k >= 6] ? e[k >= 6] : d;
+		}
+	}
+}
+
+/* Whatever the triangles, and the unit and aspect of u and v. */
+static void
+cubics_are_exact(void **state)
+{
+	static const double scale[][2] = { { 1, 1 }, { 1e-9, 1e-9 }, { 1e9, 1e9 }, { 1, 300 }, { 1e-3, 10 } };
+	double e[2];
+	unsigned k;
+	int i;
+
+	(void)state;
+	for (k = 0; k < sizeof scale/sizeof *scale; k++) {
+		Charted s = charted_random(600, 7 + k);
+
+		charted_place(&s, cubic);
+		for (i = 0; i < s.m.nv; i++)
+			s.u[i] /= scale[k][0], s.v[i] /= scale[k][1];
+		charted_fit(&s);
+		assert_int_equal(s.report.low, 0);
+		assert_int_equal(s.report.limited, 0);
+		errors(&s, cubic, scale[k][0], scale[k][1], e);
+		assert_true(e[0] < 1e-9);
+		assert_true(e[1] < 1e-6);
+		charted_free(&s);
+	}
+}
+
+/* First derivatives converge with third order, second ones with second, in the worst
+ * vertex, the boundary included. */
+static void
+orders(void **state)
+{
+	Charted s = charted_even(500), t = charted_even(32000);
+	double e[2], f[2];
+
+	(void)state;
+	charted_place(&s, wavy);
+	charted_place(&t, wavy);
+	charted_fit(&s);
+	charted_fit(&t);
+	errors(&s, wavy, 1, 1, e);
+	errors(&t, wavy, 1, 1, f);
+	assert_int_equal(s.report.low + s.report.limited + t.report.low + t.report.limited, 0);
+	assert_true(log(e[0]/f[0])/log(8) > 2.6);
+	assert_true(log(e[1]/f[1])/log(8) > 1.6);
+	assert_true(f[0] < 1e-3 && f[1] < 0.2);
+	charted_free(&s);
+	charted_free(&t);
+}
+
+/* Too few points for a cubic: the highest degree they carry. */
+static void
+small_meshes(void **state)
+{
+	double xyz[12] = { 0, 0, 0,  2, 0, 1,  2, 3, 2,  0, 3, 1 }, uv[8] = { 0, 0, 2, 0, 2, 3, 0, 3 };
+	int tri[6] = { 0, 1, 2, 0, 2, 3 }, i;
+	Mesh two = { 4, 2, xyz, tri }, none = { 0, 0, xyz, tri };
+	Charted s = charted_of(two, uv);
+
+	(void)state;
+	charted_fit(&s);
+	assert_int_equal(s.report.low, 4);
+	assert_int_equal(s.report.limited, 0);
+	for (i = 0; i < 4; i++) {
+		const double want[2][3] = { { 1, 0, 0.5 }, { 0, 1, 1/3.0 } };
+
+		assert_true(distance3(s.jet[i].u, want[0]) < 1e-13);
+		assert_true(distance3(s.jet[i].v, want[1]) < 1e-13);
+		assert_true(norm3(s.jet[i].uu) + norm3(s.jet[i].uv) + norm3(s.jet[i].vv) < 1e-13);
+	}
+	assert_int_equal(gradient_fit(&none, s.u, s.v, s.jet, NULL), 0);
+	free(s.u), free(s.v), free(s.jet);
+}
+
+/* A single row of points on a slanted line: the derivative along it, none across. */
+static void
+collinear_points(void **state)
+{
+	Charted s = charted_random(300, 3);
+	double along[3], across[3];
+	int i, c;
+
+	(void)state;
+	for (i = 0; i < s.m.nv; i++) {
+		s.v[i] = -2*s.u[i];
+		for (c = 0; c < 3; c++)
+			s.m.xyz[3*i + c] = (c + 1)*s.u[i];
+	}
+	charted_fit(&s);
+	for (i = 0; i < s.m.nv; i++)
+		for (c = 0; c < 3; c++) {
+			along[c] = s.jet[i].u[c] - 2*s.jet[i].v[c] - (c + 1);
+			across[c] = 2*s.jet[i].u[c] + s.jet[i].v[c];
+			assert_true(fabs(along[c]) + fabs(across[c]) < 1e-9);
+		}
+	charted_free(&s);
+}
+
+/* Three rows of points, not quite straight: nothing can be said of the third derivative
+ * across them, and what their jitter seems to say must not spoil the others. */
+static void
+thin_strip(void **state)
+{
+	enum { N = 40 };
+	Charted s = charted_random(3*N, 1);
+	uint64_t seed = 2;
+	double e[2];
+	int i, f = 0;
+
+	(void)state;
+	for (i = 0; i < 3*N; i++) {
+		s.u[i] = 0.02*(i/3);
+		s.v[i] = 0.02*(i%3) + 1e-8*rng_unit(&seed);
+		if (i%3 == 2 || i/3 == N - 1)
+			continue;
+		memcpy(&s.m.tri[f], (int[]){ i, i + 3, i + 4, i, i + 4, i + 1 }, 6*sizeof(int));
+		f += 6;
+	}
+	s.m.nf = f/3;
+	charted_place(&s, wavy);
+	charted_fit(&s);
+	assert_int_equal(s.report.low, 3*N);
+	assert_int_equal(s.report.limited, 0);
+	errors(&s, wavy, 1, 1, e);
+	assert_true(e[0] < 0.01 && e[1] < 0.5);
+	charted_free(&s);
+}
+
+/* The limits of the header, on rubbish; that they are needed there, and that what has to be
+ * scaled is not simply dropped. */
+static void
+limits_hold(void **state)
+{
+	uint64_t seed;
+	int t, k, c, dropped;
+
+	(void)state;
+	for (seed = 1; seed <= 20; seed++) {
+		Charted s = charted_rubbish(seed);
+
+		charted_fit(&s);
+		assert_true(s.report.limited > 20);
+		for (t = 0; t < 9*s.m.nf; t++) {
+			int i = s.m.tri[t/3], j = s.m.tri[t/9*3 + t%3];
+			double du = s.u[j] - s.u[i], dv = s.v[j] - s.v[i], bend[3], turn[3];
+			double most = GRADIENT_BEND*charted_longest(&s.m, t/9)*(1 + 1e-9) + 1e-15;
+			const Jet *q = &s.jet[i];
+
+			for (c = 0; c < 3; c++) {
+				bend[c] = q->u[c]*du + q->v[c]*dv - (s.m.xyz[3*j + c] - s.m.xyz[3*i + c]);
+				turn[c] = (q->uu[c]*du*du + 2*q->uv[c]*du*dv + q->vv[c]*dv*dv)/8;
+			}
+			assert_true(norm3(bend) <= most && norm3(turn) <= most);
+		}
+		for (dropped = 0, t = 0; t < s.m.nv; t++) {
+			dropped += norm3(s.jet[t].u) + norm3(s.jet[t].v) == 0;
+			for (k = 0; k < 15; k++)
+				assert_true(isfinite(flat(&s.jet[t])[k]));
+		}
+		assert_true(dropped < s.report.limited/4);
+		charted_free(&s);
+	}
+}
+
+/* z -> z^2, a conformal map at a corner: not limited anywhere, and exact. */
+static void
+square(double u, double v, double phi[3], Jet *j)
+{
+	phi[0] = u*u - v*v, phi[1] = 2*u*v, phi[2] = 0;
+	*j = (Jet){ { 2*u, 2*v, 0 }, { -2*v, 2*u, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { -2, 0, 0 } };
+}
+
+/* Neither there nor on surfaces with few triangles is anything limited. */
+static void
+limits_rest_on_smooth_surfaces(void **state)
+{
+	static const char *const kind[] = { "cap", "mercator", "cylinder", "catenoid", "torus", "enneper" };
+	Charted s = charted_even(300);
+	double e[2], *uv;
+	unsigned k;
+	int n;
+
+	(void)state;
+	charted_place(&s, square);
+	charted_fit(&s);
+	assert_int_equal(s.report.limited, 0);
+	errors(&s, square, 1, 1, e);
+	assert_true(e[0] + e[1] < 1e-9);
+	charted_free(&s);
+	for (k = 0; k < sizeof kind/sizeof *kind; k++)
+		for (n = 60; n < 5000; n *= 4) {
+			Synth y;
+			Mesh m;
+
+			assert_int_equal(synth_init(&y, kind[k]), 0);
+			assert_int_equal(synth_mesh(&y, n, 2, &m, &uv), 0);
+			s = charted_of(m, uv);
+			charted_fit(&s);
+			assert_int_equal(s.report.limited, 0);
+			charted_free(&s);
+			free(uv);
+		}
+}
+
+static void
+follows_motion_and_scale(void **state)
+{
+	Charted s = charted_random(500, 5), t = charted_random(500, 5);
+	double want[3];
+	int i, k;
+
+	(void)state;
+	charted_place(&s, wavy);
+	charted_place(&t, wavy);
+	for (i = 0; i < t.m.nv; i++)
+		charted_move(&t.m.xyz[3*i], 1);
+	charted_fit(&s);
+	charted_fit(&t);
+	for (i = 0; i < s.m.nv; i++)
+		for (k = 0; k < 15; k += 3) {
+			memcpy(want, flat(&s.jet[i]) + k, sizeof want);
+			charted_move(want, 0);
+			assert_true(distance3(flat(&t.jet[i]) + k, want) < 1e-8*(CHARTED_SIZE + norm3(want)));
+		}
+	assert_int_equal(s.report.limited, t.report.limited);
+	charted_free(&s);
+	charted_free(&t);
+}
+
+/* A hub of very many triangles, a vertex of no triangle. */
+static void
+hub(void **state)
+{
+	enum { N = 20000 };
+	Charted s = charted_random(N + 2, 1);
+	double e[2];
+	int i;
+
+	(void)state;
+	for (s.m.nf = N - 1, i = 1; i <= N; i++) {
+		double t = 3.0*i/N, r = 1 + 0.3*sin(40*t);
+
+		s.u[i] = 0.7 + r*cos(t), s.v[i] = 0.5 + r*sin(t);
+		s.m.tri[3*i - 3] = 0, s.m.tri[3*i - 2] = i, s.m.tri[3*i - 1] = i < N ? i + 1 : N;
+	}
+	s.u[0] = 0.7, s.v[0] = 0.5;
+	charted_place(&s, square);
+	charted_fit(&s);
+	assert_true(norm3(s.jet[N + 1].u) + norm3(s.jet[N + 1].vv) == 0);
+	s.m.nv = 1;
+	errors(&s, square, 1, 1, e);
+	assert_true(e[0] + e[1] < 1e-9);
+	charted_free(&s);
+}
+
+static void
+same_for_any_number_of_threads(void **state)
+{
+#ifdef _OPENMP
+	Charted s = charted_random(3000, 9);
+	Jet *one = malloc(s.m.nv*sizeof *one);
+	int n, most = omp_get_max_threads();
+
+	(void)state;
+	assert_non_null(one);
+	charted_place(&s, wavy);
+	omp_set_num_threads(1);
+	charted_fit(&s);
+	memcpy(one, s.jet, s.m.nv*sizeof *one);
+	for (n = 2; n < 6; n++) {
+		omp_set_num_threads(n);
+		charted_fit(&s);
+		assert_memory_equal(one, s.jet, s.m.nv*sizeof *one);
+	}
+	omp_set_num_threads(most);
+	free(one);
+	charted_free(&s);
+#else
+	(void)state;
+	skip();
+#endif
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(cubics_are_exact),
+		cmocka_unit_test(orders),
+		cmocka_unit_test(small_meshes),
+		cmocka_unit_test(collinear_points),
+		cmocka_unit_test(thin_strip),
+		cmocka_unit_test(limits_hold),
+		cmocka_unit_test(limits_rest_on_smooth_surfaces),
+		cmocka_unit_test(follows_motion_and_scale),
+		cmocka_unit_test(hub),
+		cmocka_unit_test(same_for_any_number_of_threads),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
