@@ -14,8 +14,8 @@ BUILD    := build$(if $(SANITIZE),/$(SANITIZE))
 export BUILD
 
 ALL_CPPFLAGS := -D_XOPEN_SOURCE=700 -MMD -MP $(CPPFLAGS)
-ALL_CFLAGS   := -std=c11 $(WARN) $(CFLAGS)
-ALL_CXXFLAGS := -std=c++17 $(WARN) $(CXXFLAGS)
+ALL_CFLAGS   := -std=c11 $(WARN) $(OPENMP) $(CFLAGS)
+ALL_CXXFLAGS := -std=c++17 $(WARN) $(OPENMP) $(CXXFLAGS)
 ifdef SANITIZE
 ALL_CFLAGS   += -fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer
 ALL_CXXFLAGS += -fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer
@@ -37,10 +37,10 @@ tests: $(TESTBIN)
 
 $(BIN): $(BUILD)/bin/%: $(BUILD)/cmd/%.o $(SHARED) $(LIB)
 	@mkdir -p $(@D)
-	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	$(CXX) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 $(TESTBIN): %: %.o $(LIB)
-	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
+	$(CXX) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
 
 $(LIB): $(LIBOBJ)
 	rm -f $@

@@ -5,7 +5,7 @@
 #include "../lib/corners.h"
 #include "../lib/lambdah.h"
 #include "../lib/rectmap.h"
-#include "../lib/sample.h"
+#include "../lib/sampler.h"
 #include "surfaces.h"
 #include "synthdisk.h"
 
@@ -150,14 +150,18 @@ cotangent_matrix_is_its_own_adjoint(void **state)
 }
 
 static double *
-grid_of(const Mapped *m, Chart g, double *phi[3])
+grid_of(const Mapped *m, Chart g, int surface, double *phi[3])
 {
-	size_t n = (size_t)g.nu*g.nv;
-	double *block = malloc(3*n*sizeof *block);
-	int at;
+	size_t n = (size_t)g.nu*g.nv, p;
+	double *block = malloc(5*n*sizeof *block), *x = block + 3*n, *y = block + 4*n;
+	Sampler s;
 
 	phi[0] = block, phi[1] = block + n, phi[2] = block + 2*n;
-	assert_int_equal(sample_disk(&m->d, m->corner, m->u, m->v, g, phi, &at), 0);
+	for (p = 0; p < n; p++)
+		x[p] = p%g.nu*chart_h(g), y[p] = p/g.nu*chart_k(g);
+	assert_int_equal(sampler_init(&s, &m->d.m, m->u, m->v, m->T, surface), 0);
+	sampler_grid(&s, g, x, y, phi);
+	sampler_free(&s);
 	return block;
 }
 
@@ -167,17 +171,19 @@ sampling_is_exact_on_the_plane(void **state)
 	Mapped m;
 	Chart g = { 23, 37, 0 };
 	double *phi[3], *block;
-	int p;
+	int p, surface;
 
 	(void)state;
 	map("rectangle", 300, &m);
 	g.T = m.T;
-	block = grid_of(&m, g, phi);
-	for (p = 0; p < g.nu*g.nv; p++) {
-		assert_true(fabs(phi[0][p] - p%g.nu*chart_h(g)*m.dom.x1) < 1e-12);
-		assert_true(fabs(phi[1][p] - p/g.nu*chart_k(g)*m.dom.x1) < 1e-12);
+	for (surface = SAMPLER_FACETS; surface <= SAMPLER_SMOOTH; surface++) {
+		block = grid_of(&m, g, surface, phi);
+		for (p = 0; p < g.nu*g.nv; p++) {
+			assert_true(fabs(phi[0][p] - p%g.nu*chart_h(g)*m.dom.x1) < 1e-11);
+			assert_true(fabs(phi[1][p] - p/g.nu*chart_k(g)*m.dom.x1) < 1e-11);
+		}
+		free(block);
 	}
-	free(block);
 	unmap(&m);
 }
 
@@ -192,7 +198,7 @@ sampling_error(const char *kind, int n)
 
 	map(kind, n, &m);
 	g.T = m.T;
-	block = grid_of(&m, g, phi);
+	block = grid_of(&m, g, SAMPLER_FACETS, phi);
 	for (p = 0; p < g.nu*g.nv; p++) {
 		m.s.kind->phi(m.s.p, m.dom.x0 + (m.dom.x1 - m.dom.x0)*(p%g.nu)/(g.nu - 1),
 		    m.dom.y0 + (m.dom.y1 - m.dom.y0)*(p/g.nu)/(g.nv - 1), truth);
@@ -232,7 +238,7 @@ lambda_and_H_of_the_chain(void **state)
 	(void)state;
 	map("mercator", 20000, &m);
 	g.T = m.T;
-	block = grid_of(&m, g, phi);
+	block = grid_of(&m, g, SAMPLER_FACETS, phi);
 	lambda = malloc(33*33*sizeof *lambda);
 	H = malloc(33*33*sizeof *H);
 	lambdah(g, (const double *const *)phi, LAMBDAH_NORMAL, lambda, H);

@@ -1,0 +1,161 @@
+/* locate.c - point location by walking. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "locate.h"
+#include "topology.h"
+
+static const double INSIDE = -1e-10;    /* least barycentric coordinate of a hit */
+
+/* Barycentric coordinates of (x,y) in triangle t; 0 when it is flat. */
+static int
+barycentric(const Locator *l, int t, double x, double y, double w[3])
+{
+	const int *c = &l->m->tri[3*t];
+	double bu = l->u[c[1]] - l->u[c[0]], bv = l->v[c[1]] - l->v[c[0]];
+	double cu = l->u[c[2]] - l->u[c[0]], cv = l->v[c[2]] - l->v[c[0]];
+	double area = bu*cv - cu*bv;
+
+	x -= l->u[c[0]];
+	y -= l->v[c[0]];
+	w[1] = (x*cv - cu*y)/area;
+	w[2] = (bu*y - x*bv)/area;
+	w[0] = 1 - w[1] - w[2];
+	return area != 0 && isfinite(w[0]);
+}
+
+static int
+least(const double w[3])
+{
+	return w[0] <= w[1] && w[0] <= w[2] ? 0 : w[1] <= w[2] ? 1 : 2;
+}
+
+/* The neighbour across the side that faces corner k; where that is the boundary, or k is
+ * -1, another one than the triangle come from; -1 when there is none. */
+static int
+step(const Locator *l, int t, int k, int from)
+{
+	int i, twin = k < 0 ? -1 : l->twin[3*t + (k + 1)%3];
+
+	for (i = 0; i < 3 && twin < 0; i++)
+		if (l->twin[3*t + i] >= 0 && l->twin[3*t + i]/3 != from)
+			twin = l->twin[3*t + i];
+	return twin < 0 ? -1 : twin/3;
+}
+
+/* Walk from t; returns the triangle found or the one that came nearest, its coordinates
+ * in w. */
+static int
+walk(const Locator *l, int t, double x, double y, double w[3])
+{
+	double here[3], deepest = -HUGE_VAL;
+	int best = t, from = -1, next, k, left = 64 + 4*(int)sqrt(l->m->nf);
+
+	w[0] = w[1] = -1, w[2] = 3;     /* nothing found */
+	for (; t >= 0 && left > 0; left--, from = t, t = next) {
+		k = -1;         /* a flat one has no depth: go on */
+		if (barycentric(l, t, x, y, here)) {
+			k = least(here);
+			if (here[k] > deepest) {
+				deepest = here[k];
+				best = t;
+				memcpy(w, here, sizeof here);
+			}
+			if (here[k] >= INSIDE)
+				break;
+			if (l->twin[3*t + (k + 1)%3] < 0 && here[(k + 1)%3] >= 0 && here[(k + 2)%3] >= 0)
+				break;          /* beyond the boundary */
+		}
+		next = step(l, t, k, from);
+	}
+	return best;
+}
+
+/* The triangle of all in which the point lies deepest, or `best` when none is as deep as
+ * w says. */
+static int
+search(const Locator *l, int best, double x, double y, double w[3])
+{
+	double here[3];
+	int t;
+
+	for (t = 0; t < l->m->nf && w[least(w)] < INSIDE; t++)
+		if (barycentric(l, t, x, y, here) && here[least(here)] > w[least(w)]) {
+			memcpy(w, here, sizeof here);
+			best = t;
+		}
+	return best;
+}
+
+static int
+place(double x, double length, int n)
+{
+	double i = x/length*n;
+
+	return i >= n ? n - 1 : i > 0 ? (int)i : 0;
+}
+
+int
+locate(const Locator *l, double x, double y, double bary[3])
+{
+	int t = l->start[place(y, l->T, l->ny)*l->nx + place(x, 1, l->nx)], k;
+	double sum = 0;
+
+	t = walk(l, t, x, y, bary);
+	t = search(l, t, x, y, bary);
+	for (k = 0; k < 3; k++)
+		sum += bary[k] = fmax(bary[k], 0);
+	for (k = 0; k < 3; k++)
+		bary[k] /= sum;
+	return t;
+}
+
+/* Each place of the table gets a triangle whose centre lies in it, if there is one, else
+ * that of the place before. */
+static void
+fill_table(Locator *l)
+{
+	int t, i, n = l->nx*l->ny, last = 0;
+
+	for (i = 0; i < n; i++)
+		l->start[i] = -1;
+	for (t = 0; t < l->m->nf; t++) {
+		const int *c = &l->m->tri[3*t];
+		double x = (l->u[c[0]] + l->u[c[1]] + l->u[c[2]])/3;
+		double y = (l->v[c[0]] + l->v[c[1]] + l->v[c[2]])/3;
+
+		l->start[place(y, l->T, l->ny)*l->nx + place(x, 1, l->nx)] = t;
+	}
+	for (i = 0; i < n; i++)
+		last = l->start[i] = l->start[i] >= 0 ? l->start[i] : last;
+}
+
+int
+locator_init(Locator *l, const Mesh *m, const double *u, const double *v, double T)
+{
+	Topology t = { .nv = m->nv, .nf = m->nf, .tri = m->tri };
+	char err[MESH_ERRLEN];
+	int n = 1 + (int)sqrt(m->nf);
+
+	*l = (Locator){ .m = m, .u = u, .v = v, .nx = n, .ny = n, .T = T };
+	t.err = err;
+	if (topology_twins(&t))
+		return MESH_ENOMEM;
+	l->twin = t.twin;
+	l->start = malloc((size_t)n*n*sizeof *l->start);
+	if (!l->start) {
+		locator_free(l);
+		return MESH_ENOMEM;
+	}
+	fill_table(l);
+	return 0;
+}
+
+void
+locator_free(Locator *l)
+{
+	free(l->twin);
+	free(l->start);
+	l->twin = l->start = NULL;
+}

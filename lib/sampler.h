@@ -1,0 +1,33 @@
+/* sampler.h - a mapped mesh as a function phi(u,v) on its chart. */
+#ifndef SAMPLER_H
+#define SAMPLER_H
+
+#include "chart.h"
+#include "clough.h"
+#include "locate.h"
+
+enum {
+	SAMPLER_FACETS,         /* linear on every triangle: the polyhedron itself */
+	SAMPLER_SMOOTH          /* C1 and cubic (clough.h): goes through the vertices */
+};
+
+enum { SAMPLER_ENOMEM = -1 };
+
+typedef struct Sampler {
+	Locator l;
+	int     surface;
+	Jet    *jet;            /* [nv] of SAMPLER_SMOOTH */
+} Sampler;
+
+/* m mapped by u, v onto [0,1] x [0,T]; all three must outlive s.  Returns 0 or
+ * SAMPLER_ENOMEM. */
+int  sampler_init(Sampler *s, const Mesh *m, const double *u, const double *v, double T, int surface);
+void sampler_free(Sampler *s);
+
+/* phi at (x,y) of [0,1] x [0,T]. */
+void sampler_at(const Sampler *s, double x, double y, double phi[3]);
+
+/* phi at every node of g, (x,y) its place in the chart of the mesh; all [nv][nu]. */
+void sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double *const phi[3]);
+
+#endif

@@ -1,0 +1,177 @@
+/* test_adapt.c - splitting facets, and the map on what it makes. */
+#include "cmock.h"
+
+#include <math.h>
+
+#include "../lib/adapt.h"
+#include "../lib/rectmap.h"
+#include "../lib/refine.h"
+#include "../lib/untangle.h"
+#include "surfaces.h"
+#include "synthdisk.h"
+
+/* A conforming mesh of the same surface: still a disk, of the same area and the same
+ * boundary; old vertices in place. */
+static void
+check_finer(const Disk *d, const Disk *finer)
+{
+	Soup s = { .nv = finer->m.nv, .nf = finer->m.nf, .xyz = finer->m.xyz, .idx = finer->m.tri };
+	Disk again;
+	int i;
+
+	s.first = malloc((s.nf + 1)*sizeof *s.first);
+	for (i = 0; i <= s.nf; i++)
+		s.first[i] = 3*i;
+	assert_int_equal(disk_from_soup(&again, &s), 0);
+	assert_string_equal(again.note, "");
+	assert_int_equal(again.nb, finer->nb);
+	assert_memory_equal(again.loop, finer->loop, finer->nb*sizeof *finer->loop);
+	assert_memory_equal(d->m.xyz, finer->m.xyz, 3*d->m.nv*sizeof(double));
+	assert_true(fabs(mesh_area(&finer->m)/mesh_area(&d->m) - 1) < 1e-12);
+	disk_free(&again);
+	free(s.first);
+}
+
+static void
+split_all_gives_four_of_each(void **state)
+{
+	Synth s;
+	SynthDomain dom;
+	Disk d, finer;
+	unsigned char *marked;
+
+	(void)state;
+	synth_disk("face", 300, &s, &dom, &d, NULL);
+	marked = malloc(d.m.nf);
+	memset(marked, 1, d.m.nf);
+	assert_int_equal(refine_split(&d, marked, &finer), 0);
+	assert_int_equal(finer.m.nf, 4*d.m.nf);
+	assert_int_equal(finer.nb, 2*d.nb);
+	check_finer(&d, &finer);
+	free(marked);
+	disk_free(&d);
+	disk_free(&finer);
+}
+
+static void
+split_some_is_conforming(void **state)
+{
+	Synth s;
+	SynthDomain dom;
+	Disk d, finer;
+	unsigned char *marked;
+	unsigned long long seed = 5;
+	int round, f;
+
+	(void)state;
+	synth_disk("tooth", 200, &s, &dom, &d, NULL);
+	for (round = 0; round < 6; round++) {
+		marked = calloc(d.m.nf, 1);
+		for (f = 0; f < d.m.nf; f++)
+			marked[f] = noise(&seed) > 0.9;
+		assert_int_equal(refine_split(&d, marked, &finer), 0);
+		check_finer(&d, &finer);
+		free(marked);
+		disk_free(&d);
+		d = finer;
+	}
+	disk_free(&d);
+}
+
+/* T of quadrilaterals whose modulus is known. */
+static void
+modulus_to_1e_4(void **state)
+{
+	static const char *const kind[] = { "lshape", "sector", "cap", "mercator", "torus" };
+	static const int vertex[4] = { 0, 1, 2, 3 };
+	size_t i;
+
+	(void)state;
+	for (i = 0; i < sizeof kind/sizeof *kind; i++) {
+		Synth s;
+		SynthDomain dom;
+		SpdReport report;
+		AdaptMap a;
+		Disk d;
+
+		synth_disk(kind[i], 20000, &s, &dom, &d, NULL);
+		assert_int_equal(adapt_map(&d, vertex, 1e-3, 100000, &a, &report), 0);
+		assert_true(a.certificate > -1e-12 && a.certificate <= 1e-3);
+		assert_true(fabs(a.T/dom.T - 1) < 1e-4);
+		adapt_free(&a);
+		disk_free(&d);
+	}
+}
+
+static void
+stops_at_the_limit(void **state)
+{
+	static const int vertex[4] = { 0, 1, 2, 3 };
+	Synth s;
+	SynthDomain dom;
+	SpdReport report;
+	AdaptMap a;
+	Disk d;
+
+	(void)state;
+	synth_disk("cortex", 500, &s, &dom, &d, NULL);
+	assert_int_equal(adapt_map(&d, vertex, 1e-9, 3000, &a, &report), 0);
+	assert_true(a.certificate > 1e-9 && a.rounds > 0 && a.d.m.nv < 12000);
+	adapt_free(&a);
+	assert_int_equal(adapt_map(&d, vertex, 1e-9, 0, &a, &report), 0);
+	assert_int_equal(a.rounds, 0);
+	assert_int_equal(a.d.m.nv, d.m.nv);
+	adapt_free(&a);
+	disk_free(&d);
+}
+
+/* A vertex thrown out of its ring turns triangles; they are set right, and nothing far
+ * away moves. */
+static void
+untangle_sets_right(void **state)
+{
+	Synth s;
+	SynthDomain dom;
+	Disk d;
+	double *xy, *u, *v;
+	int corner[4] = { -1, -1, -1, -1 }, i, k, inner = -1, turned, moved = 0;
+
+	(void)state;
+	synth_disk("rectangle", 2000, &s, &dom, &d, &xy);
+	u = malloc(d.m.nv*sizeof *u), v = malloc(d.m.nv*sizeof *v);
+	for (i = 0; i < d.m.nv; i++) {
+		u[i] = xy[2*i]/dom.x1, v[i] = xy[2*i+1]/dom.x1;
+		if (fabs(u[i] - 0.5) < 0.02 && fabs(v[i] - 0.3) < 0.02)
+			inner = i;
+	}
+	for (i = 0; i < d.nb; i++)
+		for (k = 0; k < 4; k++)
+			if (d.loop[i] == k)
+				corner[k] = i;
+	assert_true(inner >= 0);
+	assert_int_equal(untangle(&d, corner, u, v, &turned), 0);
+	assert_int_equal(turned, 0);
+	u[inner] += 0.08;
+	assert_true(rectmap_flipped(&d.m, u, v) > 0);
+	assert_int_equal(untangle(&d, corner, u, v, &turned), 0);
+	assert_int_equal(turned, 0);
+	for (i = 0; i < d.m.nv; i++)
+		moved += fabs(u[i] - xy[2*i]/dom.x1) > 1e-15 || fabs(v[i] - xy[2*i+1]/dom.x1) > 1e-15;
+	assert_true(moved > 0 && moved < 100);
+	free(xy), free(u), free(v);
+	disk_free(&d);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(split_all_gives_four_of_each),
+		cmocka_unit_test(split_some_is_conforming),
+		cmocka_unit_test(modulus_to_1e_4),
+		cmocka_unit_test(stops_at_the_limit),
+		cmocka_unit_test(untangle_sets_right),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

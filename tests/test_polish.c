@@ -1,0 +1,192 @@
+/* test_polish.c - locating, harmonic functions on grids, polish. */
+#include "cmock.h"
+
+#include <math.h>
+
+#include "../lib/gridlaplace.h"
+#include "../lib/lambdah.h"
+#include "../lib/polish.h"
+#include "../lib/stats.h"
+#include "surfaces.h"
+#include "synthdisk.h"
+
+static const Chart CHART = { 41, 29, 0.7 };
+enum { N = 41*29 };
+
+static double field[3][N];
+static double *const phi[3] = { field[0], field[1], field[2] };
+
+static double
+dot(const double *a, const double *b)
+{
+	double sum = 0;
+	int p;
+
+	for (p = 0; p < N; p++)
+		sum += a[p]*b[p];
+	return sum;
+}
+
+static void
+laplace_is_its_own_adjoint(void **state)
+{
+	static double x[N], y[N], Kx[N], Ky[N];
+	unsigned long long seed = 9;
+	GridLaplace l;
+	double sum = 0;
+	int p;
+
+	(void)state;
+	sample_immersion(torus, CHART, 1, (double **)phi, NULL, NULL);
+	for (p = 0; p < N; p++) {
+		field[0][p] += 0.01*noise(&seed);
+		x[p] = noise(&seed), y[p] = noise(&seed);
+	}
+	assert_int_equal(gridlaplace_init(&l, CHART, phi), 0);
+	gridlaplace_apply(&l, x, Kx);
+	gridlaplace_apply(&l, y, Ky);
+	assert_true(fabs(dot(Kx, y) - dot(x, Ky)) < 1e-11*dot(x, Kx));
+	for (p = 0; p < N; p++)
+		sum += Kx[p];
+	assert_true(fabs(sum) < 1e-10*dot(x, Kx));
+	gridlaplace_free(&l);
+}
+
+static Node
+stretched(double u, double v)
+{
+	return (Node){ { 2*u, v, 0 }, 0, 0 };
+}
+
+/* On a conformal surface the functions are u and v/T, the energies T and 1/T; on the plane
+ * stretched twice along u they are the same functions, the energies T/2 and 2/T. */
+static void
+harmonic_functions_of_known_surfaces(void **state)
+{
+	static double f[N];
+	const struct { Immersion *f; double factor, tolerance; } c[] = {
+		{ plane, 1, 1e-9 }, { stretched, 0.5, 1e-9 }, { enneper, 1, 2e-3 }, { torus, 1, 2e-3 },
+	};
+	GridLaplace l;
+	double E;
+	size_t i;
+	int p;
+
+	(void)state;
+	for (i = 0; i < sizeof c/sizeof *c; i++) {
+		sample_immersion(c[i].f, CHART, 3, (double **)phi, NULL, NULL);
+		assert_int_equal(gridlaplace_init(&l, CHART, phi), 0);
+		assert_int_equal(gridlaplace_harmonic(&l, 0, f, &E), 0);
+		assert_true(fabs(E/(c[i].factor*CHART.T) - 1) < c[i].tolerance);
+		for (p = 0; p < N; p++)
+			assert_true(fabs(f[p] - (p%41)/40.0) < c[i].tolerance);
+		assert_int_equal(gridlaplace_harmonic(&l, 1, f, &E), 0);
+		assert_true(fabs(E*c[i].factor*CHART.T - 1) < c[i].tolerance);
+		for (p = 0; p < N; p++)
+			assert_true(fabs(f[p] - (p/41)/28.0) < c[i].tolerance);
+		gridlaplace_free(&l);
+	}
+}
+
+/* Random points of a triangulated rectangle, one triangle of it flat and one turned. */
+static void
+points_are_located(void **state)
+{
+	Synth s;
+	SynthDomain dom;
+	Disk d;
+	Locator l;
+	double *xy, *u, *v, w[3], x, y;
+	unsigned long long seed = 4;
+	int i, t, k;
+
+	(void)state;
+	synth_disk("rectangle", 3000, &s, &dom, &d, &xy);
+	u = malloc(d.m.nv*sizeof *u), v = malloc(d.m.nv*sizeof *v);
+	for (i = 0; i < d.m.nv; i++)
+		u[i] = xy[2*i]/dom.x1, v[i] = xy[2*i+1]/dom.x1;
+	for (i = 0; i < d.m.nv; i++)            /* a collapsed edge inside */
+		if (fabs(u[i] - 0.5) < 0.02 && fabs(v[i] - 0.3) < 0.02)
+			break;
+	u[i] = u[i+1], v[i] = v[i+1];
+	assert_int_equal(locator_init(&l, &d.m, u, v, dom.T), 0);
+	for (i = 0; i < 5000; i++) {
+		x = (1 + noise(&seed))/2, y = dom.T*(1 + noise(&seed))/2;
+		if (i%10 == 0)
+			x = i%20 == 0;
+		t = locate(&l, x, y, w);
+		for (k = 0; k < 3; k++) {
+			assert_true(w[k] >= 0 && w[k] <= 1);
+			x -= w[k]*u[d.m.tri[3*t+k]];
+			y -= w[k]*v[d.m.tri[3*t+k]];
+		}
+		assert_true(fabs(x) < 1e-8 && fabs(y) < 1e-8);
+	}
+	locator_free(&l);
+	free(xy), free(u), free(v);
+	disk_free(&d);
+}
+
+static double
+mean_mu(const Grid *a)
+{
+	static double mu[64*64];
+
+	beltrami(a->g, (const double *const *)a->phi, mu);
+	return stats_mean((size_t)(a->g.nu - 2)*(a->g.nv - 2), mu);
+}
+
+/* The map of a torus patch, bent away from conformal: the polish finds it again, and T,
+ * and takes points along. */
+static void
+polish_finds_the_conformal_map(void **state)
+{
+	Synth s;
+	SynthDomain dom;
+	Disk d;
+	Sampler sampler;
+	Grid a;
+	Chart g = { 61, 49, 0 };
+	double *xy, *u, *v, before, pu, pv;
+	int i, done, mid = -1;
+
+	(void)state;
+	synth_disk("torus", 8000, &s, &dom, &d, &xy);
+	g.T = 1.1*dom.T;
+	u = malloc(d.m.nv*sizeof *u), v = malloc(d.m.nv*sizeof *v);
+	for (i = 0; i < d.m.nv; i++) {
+		double x = (xy[2*i] - dom.x0)/(dom.x1 - dom.x0), y = (xy[2*i+1] - dom.y0)/(dom.y1 - dom.y0);
+
+		u[i] = x + 0.03*sin(M_PI*x)*cos(M_PI*y);
+		v[i] = g.T*(y - 0.03*sin(2*M_PI*y)*cos(2*M_PI*x));
+		if (fabs(x - 0.4) < 0.02 && fabs(y - 0.6) < 0.02)
+			mid = i;
+	}
+	pu = u[mid], pv = v[mid];
+	assert_int_equal(sampler_init(&sampler, &d.m, u, v, g.T, SAMPLER_SMOOTH), 0);
+	assert_int_equal(grid_init(&a, g, &sampler), 0);
+	before = mean_mu(&a);
+	assert_int_equal(polish(&sampler, &a, 8, 1, &pu, &pv, &done), 0);
+	assert_true(done >= 2 && done <= 8);
+	assert_true(mean_mu(&a) < before/50);
+	assert_true(fabs(a.g.T/dom.T - 1) < 1e-3);
+	assert_true(fabs(pu - (xy[2*mid] - dom.x0)/(dom.x1 - dom.x0)) < 1e-3);
+	assert_true(fabs(pv - dom.T*(xy[2*mid+1] - dom.y0)/(dom.y1 - dom.y0)) < 1e-3);
+	grid_free(&a);
+	sampler_free(&sampler);
+	free(xy), free(u), free(v);
+	disk_free(&d);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(laplace_is_its_own_adjoint),
+		cmocka_unit_test(harmonic_functions_of_known_surfaces),
+		cmocka_unit_test(points_are_located),
+		cmocka_unit_test(polish_finds_the_conformal_map),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
