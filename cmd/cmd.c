@@ -195,7 +195,8 @@ cmd_getopt(int argc, char *argv[], const char *shortopt, const struct option *lo
 		case ':':
 		case '?': wrong_option(argv, longopt, c);
 		default:
-			record("--", longname(longopt, c), optarg ? "=" : "", optarg ? optarg : "");
+			if (c < CMD_UNRECORDED)
+				record("--", longname(longopt, c), optarg ? "=" : "", optarg ? optarg : "");
 			return c;
 		}
 	return -1;

@@ -42,6 +42,8 @@ void detail(const char *fmt, ...);
 "  -v, --verbose      more words on stderr\n" \
 "  -h, --help         print this text\n" \
 "      --version      print the version\n"
+enum { CMD_UNRECORDED = 1000 };         /* options with such values or above change no byte of
+                                         * the result and stay out of the history */
 int cmd_getopt(int argc, char *argv[], const char *shortopt, const struct option *longopt);
 
 /* The operands left after the options, at least min and at most max of them; records

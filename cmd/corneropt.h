@@ -4,8 +4,10 @@
 
 #include "../lib/mesh.h"
 
-/* arg as places in the boundary loop of d, or die: "I,J,K,L" are vertex numbers, NULL
- * and "auto" choose by shape, anything else is a file that holds four numbers. */
+/* arg as places in the boundary loop of d, or die.  NULL and "auto" choose by shape;
+ * "I,J,K,L" are vertices by their number in the file; "x,y,z;x,y,z;x,y,z;x,y,z" are points,
+ * each standing for the nearest vertex of the boundary; anything else is a file that holds
+ * four numbers or four points. */
 void opt_corners(const char *arg, const Disk *d, int corner[4]);
 
 #endif

@@ -2,14 +2,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../lib/gridmesh.h"
 #include "../lib/meshfile.h"
 #include "cmd.h"
+#include "gridfile.h"
 
 static const char text[] =
-"usage: grid2mesh [-o FILE] [GRID] >mesh.off\n"
+"usage: grid2mesh [-o FILE] [--on=MESH] [GRID] >mesh.off\n"
 "reads channels x y z; writes a mesh of nu nv vertices, row by row, and two triangles a\n"
 "cell, parted by its shorter diagonal, their normals along x_u cross x_v\n"
+"      --on=MESH      instead write MESH, an OBJ or PLY with (u,v) as mesh2rect --uv wrote\n"
+"                     it, with the same faces and the same order, each vertex moved to its\n"
+"                     (u,v) on the grid (bicubic; v scaled where the grid has another T); a\n"
+"                     vertex of (u,v) = (-1,-1) stays; OBJ and PLY pass on the (u,v)\n"
 "  -o, --output=FILE  write FILE, by its end .off .obj .ply or .stl [OFF to stdout]; a\n"
 "                     stream of several grids needs a number in FILE, as frame-%03d.off,\n"
 "                     from 1; each file is whole or it is not there\n"
@@ -18,7 +22,10 @@ static const char text[] =
 "  -h, --help         print this text\n"
 "      --version      print the version\n";
 
-static const struct option longopt[] = { CMD_LONGOPT };
+static const struct option longopt[] = {
+	{ "on", required_argument, NULL, 'O' },
+	CMD_LONGOPT
+};
 
 /* Splits "frame-%03d.off" into what stands before and after the number and its width;
  * 0 when there is no number in the name. */
@@ -53,53 +60,49 @@ file_name(const char *name, int i, char *out, size_t n)
 	return out;
 }
 
+/* One of mesh and grid at most is stdin, and STL has no order to keep. */
 static void
-emit(const CmdInput *in, const Lhg *g, int kind, const char *path)
+check_on(const char *on, const char *grid, int kind)
 {
-	const double *x = cmd_need(in, g, "x", LHG_GRID), *y = cmd_need(in, g, "y", LHG_GRID);
-	const double *z = cmd_need(in, g, "z", LHG_GRID);
-	char *bytes = NULL;
-	size_t n;
-	int e;
-	Mesh m;
-
-	e = mesh_from_grid(&m, g->nu, g->nv, x, y, z);
-	if (!e)
-		e = meshfile_format(&m, kind, &bytes, &n);
-	if (e == MESH_EVALUE)
-		die("%s: a coordinate is too large for STL", in->name);
-	if (e)
-		die("%s: no memory for a mesh of %d x %d vertices", in->name, g->nu, g->nv);
-	mesh_free(&m);
-	cmd_emit(path, bytes, n);
-	free(bytes);
+	if (cmd_name_of(on) != on && cmd_name_of(grid) != grid)
+		misuse("--on=%s: stdin is the grid", on);
+	if (kind == MESHFILE_STL)
+		misuse("--on: STL keeps no vertices in order: need an end of .off .obj or .ply");
 }
 
 int
 main(int argc, char *argv[])
 {
-	char path[4096];
-	const char *name, *after;
-	int kind = MESHFILE_OFF, many, width, i = 0;
-	size_t before;
+	char path[4096], *bytes;
+	const char *name, *after, *on = NULL;
+	int kind = MESHFILE_OFF, many, width, opt, i = 0;
+	size_t before, n;
 	CmdInput in;
+	Soup mesh = { 0 };
 	Lhg g;
 
 	cmd_begin("grid2mesh", text);
-	while (cmd_getopt(argc, argv, "", longopt) != -1)
-		;
+	while ((opt = cmd_getopt(argc, argv, "", longopt)) != -1)
+		on = opt == 'O' ? optarg : on;
 	cmd_operands(argc, argv, 0, 1);
 	name = cmd_output();
 	if (name && (kind = meshfile_kind(name)) < 0)
 		misuse("--output=%s: need an end of .off .obj .ply or .stl", name);
 	many = name && numbered(name, &before, &width, &after);
+	if (on)
+		check_on(on, argv[optind], kind);
 
 	cmd_open(&in, argv[optind]);
 	while (cmd_read(&in, &g)) {
 		if (!many && (g.frames > 1 || in.s.ahead))
 			die("%s: holds several grids: name the files by -o NAME-%%03d.off", in.name);
-		emit(&in, &g, kind, file_name(name, ++i, path, sizeof path));
+		if (on && i == 0)
+			gridfile_on(on, &mesh);         /* not before: mesh2rect may be writing it */
+		gridfile_format(&in, &g, on ? &mesh : NULL, cmd_name_of(on), kind, &bytes, &n);
+		cmd_emit(file_name(name, ++i, path, sizeof path), bytes, n);
+		free(bytes);
 		lhg_free(&g);
 	}
+	soup_free(&mesh);
 	return cmd_end();
 }

@@ -18,14 +18,20 @@ load_soup(const char *path, Soup *s)
 }
 
 void
+load_both(const char *path, Soup *s, Disk *d)
+{
+	load_soup(path, s);
+	if (disk_from_soup(d, s))
+		die("%s: %s", cmd_name_of(path), d->err);
+	if (d->note[0])
+		note("%s: %s", cmd_name_of(path), d->note);
+}
+
+void
 load_disk(const char *path, Disk *d)
 {
 	Soup s;
 
-	load_soup(path, &s);
-	if (disk_from_soup(d, &s))
-		die("%s: %s", cmd_name_of(path), d->err);
-	if (d->note[0])
-		note("%s: %s", cmd_name_of(path), d->note);
+	load_both(path, &s, d);
 	soup_free(&s);
 }

@@ -10,4 +10,7 @@ void load_soup(const char *path, Soup *s);
 /* The same as a disk, or die; what was repaired is noted. */
 void load_disk(const char *path, Disk *d);
 
+/* The same, and the polygons it was made from. */
+void load_both(const char *path, Soup *s, Disk *d);
+
 #endif

@@ -3,30 +3,54 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../lib/rectmap.h"
-#include "../lib/sample.h"
+#include "../lib/conformal.h"
+#include "../lib/disk.h"
 #include "cmd.h"
 #include "corneropt.h"
 #include "load.h"
+#include "uvopt.h"
 
 static const char text[] =
-"usage: mesh2rect [-n N|NxM] [-c I,J,K,L | --corners=auto|FILE] [MESH] >grid.lhg\n"
+"usage: mesh2rect [OPTIONS] [MESH] >grid.lhg\n"
 "Maps a triangle mesh with one boundary (a topological disk: OFF, OBJ, PLY or STL, by\n"
-"content; - or nothing: stdin) onto the rectangle [0,1] x [0,T] and samples it.\n"
-"writes channels x y z, metadata vertices faces corners certificate turned\n"
+"content, also gzipped; - or nothing: stdin) onto the rectangle [0,1] x [0,T] and samples\n"
+"it there.  writes channels x y z, metadata vertices faces corners certificate solved\n"
+"turned polished\n"
 "  -n, --cells=N|NxM  cells along u, or along u and v, 4..32767 each [256]\n"
-"  -c, --corners=I,J,K,L  boundary vertices, from 0, that become the corners (0,0) (1,0)\n"
-"                     (1,T) (0,T), in the order of the boundary, counterclockwise\n"
+"  -c, --corners=I,J,K,L  boundary vertices, numbered from 0 as in the file, that become\n"
+"                     the corners (0,0) (1,0) (1,T) (0,T): counterclockwise\n"
+"      --corners='x,y,z;x,y,z;x,y,z;x,y,z'  the boundary vertices nearest to these points\n"
+"      --corners=FILE four numbers, or four points one a line, from FILE\n"
 "      --corners=auto four clear corners of the boundary if it has them, else four\n"
 "                     vertices at equal arc length from its lowest vertex number [auto]\n"
-"      --corners=FILE the four numbers are in FILE\n"
+"      --flip         turn the normal of the surface\n"
+"      --tolerance=X  split the mesh's facets where the map errs most until its certificate\n"
+"                     sqrt(E(u) E(v)) - 1, E the energies of the unit scaled coordinates, is\n"
+"                     at most X, 0..1 [1e-3]\n"
+"      --max-vertices=N  split no further when N vertices are reached, 0..100000000 [400000]\n"
+"      --surface=smooth|facets  between the vertices the surface is C1 and cubic\n"
+"                     (Clough-Tocher over the chart) or flat [smooth]\n"
+"      --polish=N     at most N rounds that map the grid by its own metric, each kept only if\n"
+"                     the grid becomes more conformal, 0..100 [8]\n"
+"      --allow-flips  go on when the map turns triangles over\n"
+"      --uv=FILE      write the mesh as it was read, with its (u,v), to FILE .obj or .ply:\n"
+"                     for textures, and for grid2mesh --on; vertices of no face get -1,-1\n"
 CMD_USAGE
-"Under -v: the modulus T, the certificate (0 for an exactly conformal map), the number\n"
-"of triangles that the map turned over.\n";
+"smooth makes H converge with the second order of the mesh size on smooth surfaces; over\n"
+"facets H does not converge, it sits on the edges.  Under -v: what was reached.\n";
+
+enum { FLIP = 256, TOLERANCE, MOST, SURFACE, POLISH, ALLOW, UV = CMD_UNRECORDED };
 
 static const struct option longopt[] = {
-	{ "cells",   required_argument, NULL, 'n' },
-	{ "corners", required_argument, NULL, 'c' },
+	{ "cells",        required_argument, NULL, 'n' },
+	{ "corners",      required_argument, NULL, 'c' },
+	{ "flip",         no_argument,       NULL, FLIP },
+	{ "tolerance",    required_argument, NULL, TOLERANCE },
+	{ "max-vertices", required_argument, NULL, MOST },
+	{ "surface",      required_argument, NULL, SURFACE },
+	{ "polish",       required_argument, NULL, POLISH },
+	{ "allow-flips",  no_argument,       NULL, ALLOW },
+	{ "uv",           required_argument, NULL, UV },
 	CMD_LONGOPT
 };
 
@@ -46,57 +70,59 @@ opt_cells(char *s, Chart *g)
 }
 
 static void
-solve(const Disk *d, const int corner[4], double *u, double *v, double *T, double *certificate)
+map(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options, Conformal *c)
 {
-	SpdReport report;
+	SpdReport report = { 0, 0 };
 
 	cmd_progress("mapping %d vertices", d->m.nv);
-	switch (rectmap(d, corner, u, v, T, certificate, &report)) {
+	switch (conformal_grid(d, corner, g, options, c, &report)) {
 	case 0: break;
+	case CONFORMAL_ETURNED: die("the map turns %d triangles over (--allow-flips goes on)", c->turned);
 	case SPD_ENOMEM: die("no memory: the factor of %d vertices wants %.0f bytes", d->m.nv, report.bytes);
 	case SPD_ELARGE: die("%d vertices are more than the solver can number", d->m.nv);
 	default: die("the cotangent matrix is not positive definite at row %d: triangles too thin", report.column);
 	}
-	if (!(*T > 0 && *T < HUGE_VAL))
+	if (!(c->grid.g.T > 0 && c->grid.g.T < HUGE_VAL))
 		die("the map has no modulus: triangles too thin");
 }
 
 static void
-describe(Lhg *out, const Disk *d, const int corner[4], double certificate, int turned)
+describe(Lhg *out, const Disk *d, const int corner[4], const Conformal *c)
 {
 	const int *l = d->loop;
 
 	cmd_meta(out, "vertices", "%d", d->m.nv);
 	cmd_meta(out, "faces", "%d", d->m.nf);
-	cmd_meta(out, "corners", "%d,%d,%d,%d", l[corner[0]], l[corner[1]], l[corner[2]], l[corner[3]]);
-	cmd_meta(out, "certificate", "%.6g", certificate);
-	cmd_meta(out, "turned", "%d", turned);
-	detail("T %.6g, certificate %.3g, %d of %d triangles turned over", out->T, certificate, turned, d->m.nf);
+	cmd_meta(out, "corners", "%d,%d,%d,%d", d->file[l[corner[0]]], d->file[l[corner[1]]],
+	    d->file[l[corner[2]]], d->file[l[corner[3]]]);
+	cmd_meta(out, "certificate", "%.6g", c->certificate);
+	cmd_meta(out, "solved", "%d", c->vertices);
+	cmd_meta(out, "turned", "%d", c->turned);
+	cmd_meta(out, "polished", "%d", c->polished);
+	detail("T %.6g, certificate %.3g on %d vertices, %d triangles turned over, %d rounds of polish",
+	    out->T, c->certificate, c->vertices, c->turned, c->polished);
 }
 
 static void
-sample(const Disk *d, const int corner[4], const double *u, const double *v, Chart g, Lhg *out)
+add_positions(Lhg *out, const Grid *grid)
 {
-	double *phi[3];
-	int at = 0;
+	static const char *const name[3] = { "x", "y", "z" };
+	int k;
 
-	phi[0] = cmd_add(out, "x", "length", LHG_GRID, 0);
-	phi[1] = cmd_add(out, "y", "length", LHG_GRID, 0);
-	phi[2] = cmd_add(out, "z", "length", LHG_GRID, 0);
-	switch (sample_disk(d, corner, u, v, g, phi, &at)) {
-	case 0: break;
-	case SAMPLE_ENOMEM: die("no memory: %d x %d nodes wanted", g.nu, g.nv);
-	default: die("no triangle covers node (%d,%d)", at%g.nu, at/g.nu);
-	}
+	for (k = 0; k < 3; k++)
+		memcpy(cmd_add(out, name[k], "length", LHG_GRID, 0), grid->phi[k],
+		    (size_t)grid->g.nu*grid->g.nv*sizeof(double));
 }
 
 int
 main(int argc, char *argv[])
 {
-	double *u, *v, certificate;
-	const char *corners = NULL;
+	ConformalOptions options = { 1e-3, 400000, SAMPLER_SMOOTH, 8, 0 };
+	const char *corners = NULL, *uv = NULL;
 	Chart g = { 257, 257, 1 };
-	int opt, corner[4];
+	int opt, corner[4], flip = 0;
+	Conformal c;
+	Soup s;
 	Disk d;
 	Lhg out;
 
@@ -105,25 +131,37 @@ main(int argc, char *argv[])
 		switch (opt) {
 		case 'n': opt_cells(optarg, &g); break;
 		case 'c': corners = optarg; break;
+		case FLIP: flip = 1; break;
+		case TOLERANCE: options.tolerance = opt_double(optarg, 0, 1, "tolerance"); break;
+		case MOST: options.most = opt_long(optarg, 0, 100000000, "max-vertices"); break;
+		case SURFACE: options.surface = opt_word(optarg, "facets\0smooth\0", "surface"); break;
+		case POLISH: options.polish = opt_long(optarg, 0, 100, "polish"); break;
+		case ALLOW: options.keep_turned = 1; break;
+		case UV: opt_uv(uv = optarg); break;
 		}
 	cmd_operands(argc, argv, 0, 1);
 	cmd_binary_output();
 
-	load_disk(argv[optind], &d);
+	load_both(argv[optind], &s, &d);
+	if (!uv)
+		soup_free(&s);
+	if (flip)
+		disk_flip(&d);
 	opt_corners(corners, &d, corner);
 
-	u = cmd_alloc(d.m.nv, sizeof *u);
-	v = cmd_alloc(d.m.nv, sizeof *v);
-	solve(&d, corner, u, v, &g.T, &certificate);
+	map(&d, corner, g, &options, &c);
 
-	lhg_init(&out, g.nu, g.nv, g.T);
-	sample(&d, corner, u, v, g, &out);
-	describe(&out, &d, corner, certificate, rectmap_flipped(&d.m, u, v));
+	lhg_init(&out, g.nu, g.nv, c.grid.g.T);
+	add_positions(&out, &c.grid);
+	describe(&out, &d, corner, &c);
+	if (uv) {
+		uv_write(uv, &s, &d, c.u, c.v, out.T);
+		soup_free(&s);
+	}
 	cmd_write(&out);
 
 	lhg_free(&out);
+	conformal_free(&c);
 	disk_free(&d);
-	free(u);
-	free(v);
 	return cmd_end();
 }

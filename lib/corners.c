@@ -4,8 +4,8 @@
 #include "corners.h"
 #include "vec3.h"
 
-static const double REACH = 1.0/40;             /* of the loop, for chords */
-static const double APART = 1.0/20;             /* of the loop, between corners */
+static const double REACH = 1.0/40;             /* of the loop, for chords: the first .. */
+static const double SHORT = 1.5;                /* .. and the last, in mean edges */
 static const double CLEAR = 50*M_PI/180;        /* least turn of a corner */
 static const double NEXT = 0.6;                 /* most turn of the fifth, of the fourth's */
 
@@ -26,38 +26,72 @@ arc_length(const Disk *d)
 	return s;
 }
 
-/* The point reached by walking so far along the boundary from loop vertex i, forward
- * (step 1) or back (-1). */
 static void
-walk(const Disk *d, const double *s, int i, int step, double reach, double x[3])
+scaled_sub3(const double a[3], const double b[3], double scale, double c[3])
 {
-	int next = i, k, c;
-	double edge = 0, w;
+	int k;
 
-	for (k = 0; k < d->nb; k++, reach -= edge, i = next) {
-		next = (i + step + d->nb)%d->nb;
-		edge = step > 0 ? s[i+1] - s[i] : s[next+1] - s[next];
-		if (edge > reach)
-			break;
-	}
-	w = edge > 0 ? reach/edge : 0;
-	for (c = 0; c < 3; c++)
-		x[c] = (1 - w)*d->m.xyz[3*d->loop[i] + c] + w*d->m.xyz[3*d->loop[next] + c];
+	sub3(a, b, c);
+	for (k = 0; k < 3; k++)
+		c[k] *= scale;
 }
 
-/* Angle by which the boundary turns at loop vertex i, 0 .. pi. */
+/* The sum of the normals of a vertex's faces, for all vertices.  Lengths are taken in
+ * units of the loop, here and in turn, so that no product leaves the range of numbers. */
+static double *
+normals(const Mesh *m, double unit)
+{
+	double *n = calloc(m->nv, 3*sizeof *n), a[3], b[3], c[3];
+	int f, i, k;
+
+	for (f = 0; n && f < m->nf; f++) {
+		const int *t = &m->tri[3*f];
+
+		scaled_sub3(&m->xyz[3*t[1]], &m->xyz[3*t[0]], 1/unit, a);
+		scaled_sub3(&m->xyz[3*t[2]], &m->xyz[3*t[0]], 1/unit, b);
+		cross3(a, b, c);
+		for (i = 0; i < 3; i++)
+			for (k = 0; k < 3; k++)
+				n[3*t[i] + k] += c[k];
+	}
+	return n;
+}
+
+/* The point of the boundary at arc length a, from less than one loop before its start to
+ * less than one behind its end. */
+static void
+point(const Disk *d, const double *s, double a, double x[3])
+{
+	int lo = 0, hi = d->nb, mid, c;
+	const double *p, *q;
+	double w;
+
+	a += a < 0 ? s[d->nb] : a > s[d->nb] ? -s[d->nb] : 0;
+	while (hi - lo > 1)
+		if (s[mid = (lo + hi)/2] <= a)
+			lo = mid;
+		else
+			hi = mid;
+	p = &d->m.xyz[3*d->loop[lo]];
+	q = &d->m.xyz[3*d->loop[hi%d->nb]];
+	w = s[hi] > s[lo] ? (a - s[lo])/(s[hi] - s[lo]) : 0;
+	for (c = 0; c < 3; c++)
+		x[c] = (1 - w)*p[c] + w*q[c];
+}
+
+/* Angle by which the boundary turns at loop vertex i, -pi .. pi; n is the normal there. */
 static double
-turn(const Disk *d, const double *s, int i)
+turn(const Disk *d, const double *s, int i, double reach, const double n[3])
 {
 	double back[3], forth[3], a[3], b[3], c[3];
 	const double *x = &d->m.xyz[3*d->loop[i]];
 
-	walk(d, s, i, -1, REACH*s[d->nb], back);
-	walk(d, s, i, 1, REACH*s[d->nb], forth);
-	sub3(x, back, a);
-	sub3(forth, x, b);
+	point(d, s, s[i] - reach*s[d->nb], back);
+	point(d, s, s[i] + reach*s[d->nb], forth);
+	scaled_sub3(x, back, 1/s[d->nb], a);
+	scaled_sub3(forth, x, 1/s[d->nb], b);
 	cross3(a, b, c);
-	return atan2(norm3(c), dot3(a, b));
+	return copysign(atan2(norm3(c), dot3(a, b)), dot3(c, n));
 }
 
 static double
@@ -68,14 +102,14 @@ apart(const double *s, int nb, int i, int j)
 	return fmin(t, s[nb] - t)/s[nb];
 }
 
-/* The vertex of the largest turn that is farther than APART from the k chosen, or -1. */
+/* The vertex of the largest turn that is farther than far from the k chosen, or -1. */
 static int
-sharpest(const double *s, int nb, const double *angle, const int *chosen, int k)
+sharpest(const double *s, int nb, const double *angle, double far, const int *chosen, int k)
 {
 	int i, j, best = -1;
 
 	for (i = 0; i < nb; i++) {
-		for (j = 0; j < k && apart(s, nb, i, chosen[j]) > APART; j++)
+		for (j = 0; j < k && apart(s, nb, i, chosen[j]) > far; j++)
 			;
 		if (j == k && (best < 0 || angle[i] > angle[best]))
 			best = i;
@@ -93,12 +127,12 @@ ascending(const void *a, const void *b)
 
 /* Four clear corners in the order of the loop: 1, or 0 when there are none. */
 static int
-clear_corners(const double *s, int nb, const double *angle, int corner[4])
+clear_corners(const double *s, int nb, const double *angle, double far, int corner[4])
 {
 	int chosen[5], k;
 
 	for (k = 0; k < 5; k++) {
-		chosen[k] = sharpest(s, nb, angle, chosen, k);
+		chosen[k] = sharpest(s, nb, angle, far, chosen, k);
 		if (k < 4 && (chosen[k] < 0 || angle[chosen[k]] < CLEAR))
 			return 0;
 	}
@@ -130,20 +164,37 @@ equal_arcs(const double *s, int nb, int corner[4])
 	}
 }
 
+/* Four clear corners at the first reach that shows them: 1, or 0. */
+static int
+by_shape(const Disk *d, const double *s, const double *n, double *angle, int corner[4])
+{
+	double reach;
+	int i, found = 0;
+
+	for (reach = REACH; !found && (reach == REACH || reach*d->nb >= SHORT); reach *= M_SQRT1_2) {
+		for (i = 0; i < d->nb; i++)
+			angle[i] = turn(d, s, i, reach, &n[3*d->loop[i]]);
+		found = clear_corners(s, d->nb, angle, 2*reach, corner);
+	}
+	return found;
+}
+
 int
 corners_auto(const Disk *d, int corner[4])
 {
-	double *s = arc_length(d), *angle = malloc(d->nb*sizeof *angle);
-	int i, found = CORNERS_ENOMEM;
+	double *s = arc_length(d), *n = s ? normals(&d->m, s[d->nb]) : NULL;
+	double *angle = malloc(d->nb*sizeof *angle);
+	int found = CORNERS_ENOMEM;
 
-	if (s && angle) {
-		for (i = 0; i < d->nb; i++)
-			angle[i] = turn(d, s, i);
-		found = clear_corners(s, d->nb, angle, corner);
+	if (d->nb < 4) {
+		found = CORNERS_EFEW;
+	} else if (s && n && angle) {
+		found = by_shape(d, s, n, angle, corner);
 		if (!found)
 			equal_arcs(s, d->nb, corner);
 	}
 	free(s);
+	free(n);
 	free(angle);
 	return found;
 }
@@ -165,4 +216,20 @@ corners_given(const Disk *d, const int vertex[4], int corner[4], int *at)
 	for (k = 0; k < 4; k++)
 		turns += corner[(k+1)%4] <= corner[k];
 	return turns == 1 ? 0 : CORNERS_EORDER;
+}
+
+int
+corners_nearest(const Disk *d, const double x[3])
+{
+	double best = HUGE_VAL, r;
+	int i, v, vertex = d->loop[0];
+
+	for (i = 0; i < d->nb; i++) {
+		const double *y = &d->m.xyz[3*(v = d->loop[i])];
+
+		r = hypot(hypot(y[0] - x[0], y[1] - x[1]), y[2] - x[2]);
+		if (r < best || (r == best && v < vertex))
+			best = r, vertex = v;
+	}
+	return vertex;
 }

@@ -12,24 +12,32 @@
 enum {
 	CORNERS_ENOMEM = -1,
 	CORNERS_EINNER = -2,    /* vertex *at is not on the boundary, or does not exist */
-	CORNERS_EORDER = -3     /* the vertices do not go round the loop once, or one is doubled */
+	CORNERS_EORDER = -3,    /* the vertices do not go round the loop once, or one is doubled */
+	CORNERS_EFEW   = -4     /* a boundary of three vertices */
 };
 
 /* Four corners chosen by shape, the same way every time.
  *
- * The turn of the boundary at a vertex is the angle between the two chords that reach
- * 1/40 of the loop's length back and forward from it, so that a ragged edge does not
- * count as a corner.  When the boundary has four clear corners - local maxima of the turn
- * of at least 50 degrees, at least 1/20 of the loop apart, and the next best less than
- * 0.6 of the fourth - these are taken, else four vertices nearest to equal arc length.
+ * The turn of the boundary at a vertex is the angle between the two chords of one reach,
+ * measured along the loop, back and forward from it; negative where the boundary turns
+ * away from the surface.  The first reach is 1/40 of the loop, so that a ragged edge does
+ * not count as a corner; narrow strips show their corners only at shorter ones, so it is
+ * halved in steps of sqrt(2) down to one and a half edges of mean length.  The first reach
+ * at which the boundary has four clear corners decides: local maxima of the turn of at
+ * least 50 degrees, more than two reaches apart, and no fifth of 0.6 of the fourth.  When
+ * there is no such reach, the four are the vertices nearest to equal arc length.
  * Either way corner[0] is the one nearest to, or is, the start of the loop: its lowest
  * vertex number.
  *
- * Returns 1 when clear corners were found, 0 for equal arc length, or CORNERS_ENOMEM. */
+ * Returns 1 when clear corners were found, 0 for equal arc length, or CORNERS_ENOMEM or
+ * CORNERS_EFEW. */
 int corners_auto(const Disk *d, int corner[4]);
 
-/* Four vertex numbers made into places in the loop.  Returns 0, CORNERS_ENOMEM,
- * CORNERS_EINNER or CORNERS_EORDER (a loop gone round clockwise is one, too). */
+/* Four vertex numbers made into places in the loop.  Returns 0, CORNERS_EINNER or
+ * CORNERS_EORDER (a loop gone round clockwise is one, too). */
 int corners_given(const Disk *d, const int vertex[4], int corner[4], int *at);
+
+/* The vertex of the boundary nearest to x, of several the one of the lowest number. */
+int corners_nearest(const Disk *d, const double x[3]);
 
 #endif

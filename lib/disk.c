@@ -11,12 +11,6 @@
 #include "repair.h"
 #include "topology.h"
 
-/* file[v] is the number that vertex v of d->m has in the file. */
-typedef struct Build {
-	Disk *d;
-	int  *file;
-} Build;
-
 static void
 addnote(Disk *d, const char *fmt, ...)
 {
@@ -58,26 +52,29 @@ checkfinite(const Soup *s, char *err)
 /* Number the vertices anew: vertex v becomes to[v] < nnew, or goes where that is -1.
  * Of several that become one, the first gives position and name. */
 static void
-renumber(Build *b, const int *to, int nnew)
+renumber(Disk *d, const int *to, int nnew)
 {
-	Mesh *m = &b->d->m;
+	Mesh *m = &d->m;
 	int v, done = 0;
 	size_t i;
 
 	for (v = 0; v < m->nv; v++)
 		if (to[v] == done) {
 			memmove(m->xyz + 3*(size_t)done, m->xyz + 3*(size_t)v, 3 * sizeof *m->xyz);
-			b->file[done++] = b->file[v];
+			d->file[done++] = d->file[v];
 		}
+	for (v = 0; v < d->nfile; v++)
+		if (d->became[v] >= 0)
+			d->became[v] = to[d->became[v]];
 	for (i = 0; i < 3*(size_t)m->nf; i++)
 		m->tri[i] = to[m->tri[i]];
 	m->nv = nnew;
 }
 
 static void
-dropunused(Build *b, int *to)
+dropunused(Disk *d, int *to)
 {
-	Mesh *m = &b->d->m;
+	Mesh *m = &d->m;
 	const int before = m->nv;
 	int v, n = 0;
 	size_t i;
@@ -90,8 +87,8 @@ dropunused(Build *b, int *to)
 			to[v] = n++;
 	if (n == before)
 		return;
-	renumber(b, to, n);
-	addnote(b->d, "%d unreferenced %s dropped", before - n,
+	renumber(d, to, n);
+	addnote(d, "%d unreferenced %s dropped", before - n,
 	    before - n == 1 ? "vertex" : "vertices");
 }
 
@@ -109,18 +106,18 @@ issoup(const Soup *s, int *used)
 }
 
 static int
-weld(Build *b, int *to)
+weld(Disk *d, int *to)
 {
-	Mesh *m = &b->d->m;
+	Mesh *m = &d->m;
 	const int before = m->nv;
 	int n, e = repair_weld(m->nv, m->xyz, to, &n);
 
 	if (e)
-		return mesh_fail(b->d->err, MESH_ENOMEM, "no memory to weld %d vertices", m->nv);
+		return mesh_fail(d->err, MESH_ENOMEM, "no memory to weld %d vertices", m->nv);
 	if (n == before)
 		return 0;
-	renumber(b, to, n);
-	addnote(b->d, "%d vertices of a soup welded to %d", before, n);
+	renumber(d, to, n);
+	addnote(d, "%d vertices of a soup welded to %d", before, n);
 	return 0;
 }
 
@@ -163,10 +160,9 @@ orient(Disk *d, Topology *t)
 }
 
 static int
-checkdisk(Build *b)
+checkdisk(Disk *d)
 {
-	Disk *d = b->d;
-	Topology t = { .nv = d->m.nv, .nf = d->m.nf, .tri = d->m.tri, .file = b->file, .err = d->err };
+	Topology t = { .nv = d->m.nv, .nf = d->m.nf, .tri = d->m.tri, .file = d->file, .err = d->err };
 	int e;
 
 	if ((e = topology_twins(&t)) != 0)
@@ -180,30 +176,31 @@ checkdisk(Build *b)
 }
 
 static int
-build(Build *b, const Soup *s, int *scratch)
+build(Disk *d, const Soup *s, int *scratch)
 {
-	Mesh *m = &b->d->m;
+	Mesh *m = &d->m;
 	int e, v;
 
-	if ((e = polygon_split(s, &m->tri, &m->nf, b->d->err)) != 0)
+	if ((e = polygon_split(s, &m->tri, &m->nf, d->err)) != 0)
 		return e;
-	m->xyz = mesh_alloc(b->d->err, (size_t)s->nv, 3 * sizeof *m->xyz);
-	if (!m->xyz)
+	m->xyz = mesh_alloc(d->err, (size_t)s->nv, 3 * sizeof *m->xyz);
+	d->file = mesh_alloc(d->err, (size_t)s->nv, sizeof *d->file);
+	d->became = mesh_alloc(d->err, (size_t)s->nv, sizeof *d->became);
+	if (!m->xyz || !d->file || !d->became)
 		return MESH_ENOMEM;
-	m->nv = s->nv;
+	m->nv = d->nfile = s->nv;
 	memcpy(m->xyz, s->xyz, 3 * (size_t)s->nv * sizeof *m->xyz);
 	for (v = 0; v < s->nv; v++)
-		b->file[v] = v;
-	dropunused(b, scratch);
-	if (issoup(s, scratch) && (e = weld(b, scratch)) != 0)
+		d->file[v] = d->became[v] = v;
+	dropunused(d, scratch);
+	if (issoup(s, scratch) && (e = weld(d, scratch)) != 0)
 		return e;
-	return checkdisk(b);
+	return checkdisk(d);
 }
 
 int
 disk_from_soup(Disk *d, const Soup *s)
 {
-	Build b = { d, NULL };
 	int *scratch, e;
 
 	memset(d, 0, sizeof *d);
@@ -211,12 +208,43 @@ disk_from_soup(Disk *d, const Soup *s)
 		return e;
 	if (s->nf == 0)
 		return mesh_fail(d->err, MESH_EDISK, "no faces: nothing to be a disk");
-	b.file = mesh_alloc(d->err, (size_t)s->nv, sizeof *b.file);
 	scratch = mesh_alloc(d->err, (size_t)s->nv, sizeof *scratch);
-	e = b.file && scratch ? build(&b, s, scratch) : MESH_ENOMEM;
-	free(b.file);
+	e = scratch ? build(d, s, scratch) : MESH_ENOMEM;
 	free(scratch);
 	if (e)
 		disk_free(d);
 	return e;
+}
+
+void
+disk_flip(Disk *d)
+{
+	int f, i, t;
+
+	for (f = 0; f < d->m.nf; f++) {
+		int *c = d->m.tri + 3*(size_t)f;
+
+		t = c[1], c[1] = c[2], c[2] = t;
+	}
+	for (i = 1; i < d->nb - i; i++)
+		t = d->loop[i], d->loop[i] = d->loop[d->nb - i], d->loop[d->nb - i] = t;
+}
+
+int
+disk_uv(const Disk *d, const double *u, const double *v, double T, Soup *s)
+{
+	size_t i;
+	int k;
+
+	if (!s->uv)
+		s->uv = mesh_alloc(s->err, (size_t)s->nv, 2 * sizeof *s->uv);
+	if (!s->uv)
+		return MESH_ENOMEM;
+	s->T = T;
+	for (i = 0; i < (size_t)s->nv; i++) {
+		k = d->became[i];
+		s->uv[2*i] = k < 0 ? -1 : fmin(fmax(u[k], 0), 1);
+		s->uv[2*i+1] = k < 0 ? -1 : fmin(fmax(v[k], 0), T);
+	}
+	return 0;
 }

@@ -17,4 +17,18 @@
  * nothing to free. */
 int disk_from_soup(Disk *d, const Soup *s);
 
+/* Turn the normal: every face the other way round, and with them the loop, which still
+ * begins at its lowest vertex. */
+void disk_flip(Disk *d);
+
+/* The (u,v) of a disk's vertices given to the vertices of the soup it was made from:
+ * s->uv, (-1,-1) for those that were dropped, and s->T.  What lies outside
+ * [0,1] x [0,T], as a map of negative cotangents may, is put on its border.
+ *
+ * u, v     in   [d->m.nv]
+ * s        in   the soup of disk_from_soup; its uv is allocated or overwritten
+ *
+ * Returns 0 or MESH_ENOMEM, with the reason in s->err. */
+int disk_uv(const Disk *d, const double *u, const double *v, double T, Soup *s);
+
 #endif

@@ -36,7 +36,8 @@ soup_free(Soup *s)
 	free(s->xyz);
 	free(s->first);
 	free(s->idx);
-	s->xyz = NULL;
+	free(s->uv);
+	s->xyz = s->uv = NULL;
 	s->first = s->idx = NULL;
 	s->nv = s->nf = 0;
 }
@@ -56,8 +57,10 @@ disk_free(Disk *d)
 {
 	mesh_free(&d->m);
 	free(d->loop);
-	d->loop = NULL;
-	d->nb = 0;
+	free(d->file);
+	free(d->became);
+	d->loop = d->file = d->became = NULL;
+	d->nb = d->nfile = 0;
 }
 
 double

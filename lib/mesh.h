@@ -28,6 +28,9 @@ typedef struct Soup {
 	int    *first;          /* [nf+1] */
 	int    *idx;
 	char    err[MESH_ERRLEN];
+	double *uv;             /* [nv][2] places in the rectangle [0,1] x [0,T], (-1,-1) where
+	                         * a vertex has none; NULL: not asked for */
+	double  T;              /* 0: not known */
 } Soup;
 
 typedef struct Mesh {
@@ -43,6 +46,10 @@ typedef struct Disk {
 	int  nb;
 	int *loop;              /* [nb] the boundary, counterclockwise (faces on its left),
 	                         * beginning at its lowest vertex number */
+	int *file;              /* [m.nv] the number that each vertex has in the soup it came
+	                         * from; of welded ones the lowest */
+	int  nfile;
+	int *became;            /* [nfile] the vertex that each of the soup's became, -1: dropped */
 	char note[MESH_ERRLEN]; /* what was repaired, "" if nothing was */
 	char err[MESH_ERRLEN];
 } Disk;

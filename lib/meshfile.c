@@ -124,9 +124,9 @@ finish(Reader *r)
 }
 
 static int
-plain(Soup *s, const char *p, size_t n)
+plain(Soup *s, const char *p, size_t n, int wantuv)
 {
-	Reader r = { .p = p, .end = p + n, .line = 1, .s = s };
+	Reader r = { .p = p, .end = p + n, .line = 1, .s = s, .wantuv = wantuv };
 	Read *read;
 	int e;
 
@@ -137,15 +137,19 @@ plain(Soup *s, const char *p, size_t n)
 	read = choose(&r, s->err);
 	if (!read)
 		return MESH_EFORMAT;
+	if (wantuv && read != obj_read && read != ply_read)
+		return mesh_fail(s->err, MESH_EFORMAT, "only OBJ and PLY carry (u,v)");
 	if ((e = soup_reserve(&r, 0, 0, 0)) == 0 && (e = read(&r)) == 0)
 		e = finish(&r);
+	if (!e && wantuv)
+		e = uv_check(s);
 	if (e)
 		soup_free(s);
 	return e;
 }
 
-int
-meshfile_parse(Soup *s, const void *bytes, size_t n)
+static int
+parse(Soup *s, const void *bytes, size_t n, int wantuv)
 {
 	const char *p = bytes;
 	char *out;
@@ -153,12 +157,24 @@ meshfile_parse(Soup *s, const void *bytes, size_t n)
 
 	memset(s, 0, sizeof *s);
 	if (n < 2 || memcmp(p, "\x1f\x8b", 2) != 0)
-		return plain(s, p, n);
+		return plain(s, p, n, wantuv);
 	if ((e = gunzip(p, n, &out, &n, s->err)) != 0)
 		return e;
-	e = plain(s, out, n);
+	e = plain(s, out, n, wantuv);
 	free(out);
 	return e;
+}
+
+int
+meshfile_parse(Soup *s, const void *bytes, size_t n)
+{
+	return parse(s, bytes, n, 0);
+}
+
+int
+meshfile_parse_uv(Soup *s, const void *bytes, size_t n)
+{
+	return parse(s, bytes, n, 1);
 }
 
 int

@@ -28,6 +28,16 @@ enum { MESHFILE_OFF, MESHFILE_OBJ, MESHFILE_PLY, MESHFILE_STL };
  * they may unpack to is bounded by 1100 bytes for each byte given, and by 4 GiB. */
 int meshfile_parse(Soup *s, const void *bytes, size_t n);
 
+/* The same, with the (u,v) of every vertex in s->uv and the T they belong to in s->T, 0 if
+ * the file does not say it:
+ *
+ * OBJ  vt lines and corners a/b or a/b/c; T from a line "# lhgrid T 0.91"
+ * PLY  vertex properties s t, or u v, or texture_u texture_v; T from "comment lhgrid T 0.91"
+ *
+ * A vertex of no face of an OBJ has (-1,-1).  Refused besides: other kinds (MESH_EFORMAT),
+ * (u,v) missing (MESH_EFORMAT), not finite or two of them at one vertex (MESH_EVALUE). */
+int meshfile_parse_uv(Soup *s, const void *bytes, size_t n);
+
 /* The kind by the end of a file name (.off .obj .ply .stl, any case), or -1. */
 int meshfile_kind(const char *name);
 
@@ -35,5 +45,10 @@ int meshfile_kind(const char *name);
  * binary_little_endian double, STL binary float.  *bytes is malloc'd, *n its length.
  * Returns 0, MESH_ENOMEM, or MESH_EVALUE: STL, and a coordinate exceeds a float. */
 int meshfile_format(const Mesh *m, int kind, char **bytes, size_t *n);
+
+/* The same of a soup: its vertices and polygons as they are, and when s->uv is there its
+ * (u,v) and T in OBJ and PLY, as meshfile_parse_uv reads them.  Not for MESHFILE_STL.
+ * Returns 0 or MESH_ENOMEM. */
+int meshfile_format_soup(const Soup *s, int kind, char **bytes, size_t *n);
 
 #endif

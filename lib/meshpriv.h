@@ -16,6 +16,7 @@ typedef struct Reader {
 	const char *p, *end;    /* what is left */
 	long   line;            /* of p, from 1 */
 	int    hash;            /* # begins a comment */
+	int    wantuv;          /* fill s->uv and s->T */
 	Soup  *s;
 	size_t ni;              /* corners, those of the open face included */
 	size_t capv, capf, capi;
@@ -60,6 +61,16 @@ int soup_face(Reader *r);
  * room is how many those could be.  soup_cut: the file ends in this record. */
 int soup_promise(Reader *r, const char *what, long long count, size_t room);
 int soup_cut(Reader *r, const char *what, long long i, long long count);
+
+/* What follows the # or the word comment: "lhgrid T 0.91" sets s->T, all else is left.
+ * Returns 0 or MESH_EVALUE. */
+int uv_modulus(Reader *r);
+
+/* Give all s->nv or nv vertices, whichever is more, (-1,-1).  0 or MESH_ENOMEM. */
+int uv_start(Reader *r, size_t nv);
+
+/* Is every (u,v) finite?  0 or MESH_EVALUE. */
+int uv_check(Soup *s);
 
 /* One per format: all of the file after detection, into r->s. */
 int off_keyword(Token t, int *extra);

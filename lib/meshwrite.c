@@ -1,28 +1,18 @@
 /* meshwrite.c - a mesh as the bytes of a file. */
-#include <float.h>
-#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "meshfile.h"
-#include "meshpriv.h"
+#include "writepriv.h"
 
-typedef struct Text {
-	char  *p;
-	size_t n, cap;
-} Text;
-
-enum { MAXTEXT = 400 };         /* more than any piece put at once */
-
-/* Room for one more piece; 0 when there is no memory. */
-static int
-room(Text *t)
+int
+text_room(Text *t)
 {
 	char *p;
 
-	if (t->cap - t->n > MAXTEXT)
+	if (t->cap - t->n > TEXT_MAX)
 		return 1;
 	if (t->cap > SIZE_MAX / 4 || !(p = realloc(t->p, 2*t->cap + 4096)))
 		return 0;
@@ -54,162 +44,215 @@ words(Text *t, const char *s)
 	t->n += n;
 }
 
+/* A whole number >= 0. */
+static void
+whole(Text *t, int i)
+{
+	char digit[12];
+	int n = 0;
+
+	do
+		digit[n++] = (char)('0' + i % 10);
+	while ((i /= 10) > 0);
+	while (n > 0)
+		t->p[t->n++] = digit[--n];
+}
+
+/* The corners of face f; s->first is NULL where all faces are triangles. */
 static int
-vertices(Text *t, const Mesh *m, const char *before)
+corners(const Soup *s, int f, const int **v)
+{
+	*v = s->idx + (s->first ? (size_t)s->first[f] : 3*(size_t)f);
+	return s->first ? s->first[f+1] - s->first[f] : 3;
+}
+
+/* nv lines of n numbers. */
+static int
+lines(Text *t, const double *x, int nv, int n, const char *before)
 {
 	size_t i;
 	int c;
 
-	for (i = 0; i < (size_t)m->nv; i++) {
-		if (!room(t))
+	for (i = 0; i < (size_t)nv; i++) {
+		if (!text_room(t))
 			return MESH_ENOMEM;
 		words(t, before);
-		for (c = 0; c < 3; c++)
-			number(t, m->xyz[3*i + (size_t)c], c < 2 ? ' ' : '\n');
+		for (c = 0; c < n; c++)
+			number(t, x[(size_t)n*i + (size_t)c], c < n - 1 ? ' ' : '\n');
 	}
 	return 0;
 }
 
 static int
-faces(Text *t, const Mesh *m, const char *before, int base)
+off(Text *t, const Soup *s)
 {
-	size_t f;
+	const int *v;
+	int f, i, n;
 
-	for (f = 0; f < (size_t)m->nf; f++) {
-		const int *v = m->tri + 3*f;
-
-		if (!room(t))
-			return MESH_ENOMEM;
-		t->n += (size_t)snprintf(t->p + t->n, MAXTEXT, "%s %d %d %d\n", before,
-		    v[0] + base, v[1] + base, v[2] + base);
-	}
-	return 0;
-}
-
-static int
-off(Text *t, const Mesh *m)
-{
-	if (!room(t))
+	if (!text_room(t))
 		return MESH_ENOMEM;
-	t->n += (size_t)snprintf(t->p + t->n, MAXTEXT, "OFF\n%d %d 0\n", m->nv, m->nf);
-	return vertices(t, m, "") ? MESH_ENOMEM : faces(t, m, "3", 0);
+	t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "OFF\n%d %d 0\n", s->nv, s->nf);
+	if (lines(t, s->xyz, s->nv, 3, ""))
+		return MESH_ENOMEM;
+	for (f = 0; f < s->nf; f++) {
+		n = corners(s, f, &v);
+		for (i = -1; i < n; i++) {
+			if (!text_room(t))
+				return MESH_ENOMEM;
+			whole(t, i < 0 ? n : v[i]);
+			words(t, i < n - 1 ? " " : "\n");
+		}
+	}
+	return 0;
 }
 
 static int
-obj(Text *t, const Mesh *m)
+objface(Text *t, const Soup *s, int f)
 {
-	return !room(t) || vertices(t, m, "v ") ? MESH_ENOMEM : faces(t, m, "f", 1);
+	const int *v;
+	int i, n = corners(s, f, &v);
+
+	for (i = -1; i < n; i++) {
+		if (!text_room(t))
+			return MESH_ENOMEM;
+		words(t, i < 0 ? "f" : " ");
+		if (i >= 0)
+			whole(t, v[i] + 1);
+		if (i >= 0 && s->uv) {
+			words(t, "/");
+			whole(t, v[i] + 1);
+		}
+	}
+	words(t, "\n");
+	return 0;
 }
 
-/* The n low bytes of w, least significant first. */
+/* "# lhgrid T 0.91" */
 static void
-bytes(Text *t, uint64_t w, int n)
+modulus(Text *t, const Soup *s, const char *before)
+{
+	if (!s->uv || !(s->T > 0))
+		return;
+	words(t, before);
+	words(t, "lhgrid T ");
+	number(t, s->T, '\n');
+}
+
+static int
+obj(Text *t, const Soup *s)
+{
+	int f, e;
+
+	if (!text_room(t))
+		return MESH_ENOMEM;
+	modulus(t, s, "# ");
+	e = lines(t, s->xyz, s->nv, 3, "v ");
+	if (!e && s->uv)
+		e = lines(t, s->uv, s->nv, 2, "vt ");
+	for (f = 0; !e && f < s->nf; f++)
+		e = objface(t, s, f);
+	return e;
+}
+
+void
+text_bytes(Text *t, uint64_t w, int n)
 {
 	for (; n > 0; n--, w >>= 8)
 		t->p[t->n++] = (char)(w & 0xff);
 }
 
-static int
-ply(Text *t, const Mesh *m)
+static void
+doubles(Text *t, const double *x, int n)
 {
 	uint64_t w;
-	size_t i;
 	int c;
 
-	if (!room(t))
-		return MESH_ENOMEM;
-	t->n += (size_t)snprintf(t->p + t->n, MAXTEXT, "ply\nformat binary_little_endian 1.0\n"
-	    "element vertex %d\nproperty double x\nproperty double y\nproperty double z\n"
-	    "element face %d\nproperty list uchar int vertex_indices\nend_header\n", m->nv, m->nf);
-	for (i = 0; i < 3*(size_t)m->nv; i++) {
-		if (!room(t))
-			return MESH_ENOMEM;
-		memcpy(&w, &m->xyz[i], 8);
-		bytes(t, w, 8);
-	}
-	for (i = 0; i < (size_t)m->nf; i++) {
-		if (!room(t))
-			return MESH_ENOMEM;
-		bytes(t, 3, 1);
-		for (c = 0; c < 3; c++)
-			bytes(t, (uint64_t)m->tri[3*i + (size_t)c], 4);
-	}
-	return 0;
-}
-
-static void
-floats(Text *t, const double x[3])
-{
-	uint32_t w;
-	float y;
-	int c;
-
-	for (c = 0; c < 3; c++) {
-		y = (float)x[c];
-		memcpy(&w, &y, 4);
-		bytes(t, w, 4);
+	for (c = 0; c < n; c++) {
+		memcpy(&w, &x[c], 8);
+		text_bytes(t, w, 8);
 	}
 }
 
-/* Unit normal of triangle v, or 0 where numbers cannot say it. */
-static void
-normal(const Mesh *m, const int *v, double n[3])
+/* Bytes of the counts of corners, 1 or 4. */
+static int
+countsize(const Soup *s)
 {
-	const double *a = m->xyz + 3*(size_t)v[0], *b = m->xyz + 3*(size_t)v[1];
-	const double *e = m->xyz + 3*(size_t)v[2];
-	double p[3], q[3], len;
-	int c;
+	const int *v;
+	int f;
 
-	for (c = 0; c < 3; c++)
-		p[c] = b[c] - a[c], q[c] = e[c] - a[c];
-	for (c = 0; c < 3; c++)
-		n[c] = p[(c+1)%3]*q[(c+2)%3] - p[(c+2)%3]*q[(c+1)%3];
-	len = sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]);
-	for (c = 0; c < 3; c++)
-		n[c] = len > 0 && len <= DBL_MAX ? n[c] / len : 0;
+	for (f = 0; f < s->nf; f++)
+		if (corners(s, f, &v) > 255)
+			return 4;
+	return 1;
+}
+
+static void
+plyhead(Text *t, const Soup *s, int size)
+{
+	words(t, "ply\nformat binary_little_endian 1.0\n");
+	modulus(t, s, "comment ");
+	t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "element vertex %d\n"
+	    "property double x\nproperty double y\nproperty double z\n%s"
+	    "element face %d\nproperty list %s int vertex_indices\nend_header\n", s->nv,
+	    s->uv ? "property double s\nproperty double t\n" : "", s->nf, size > 1 ? "int" : "uchar");
 }
 
 static int
-stl(Text *t, const Mesh *m)
+ply(Text *t, const Soup *s)
 {
-	double n[3];
-	size_t i;
-	int c;
+	const int size = countsize(s), *v;
+	int f, i, n;
 
-	for (i = 0; i < 3*(size_t)m->nv; i++)
-		if (!(fabs(m->xyz[i]) <= (double)FLT_MAX))
-			return MESH_EVALUE;
-	if (!room(t))
+	if (!text_room(t))
 		return MESH_ENOMEM;
-	t->n += (size_t)snprintf(t->p + t->n, MAXTEXT, "%-80s", "lhgrid: binary STL");
-	bytes(t, (uint64_t)m->nf, 4);
-	for (i = 0; i < (size_t)m->nf; i++) {
-		const int *v = m->tri + 3*i;
-
-		if (!room(t))
+	plyhead(t, s, size);
+	for (i = 0; i < s->nv; i++) {
+		if (!text_room(t))
 			return MESH_ENOMEM;
-		normal(m, v, n);
-		floats(t, n);
-		for (c = 0; c < 3; c++)
-			floats(t, m->xyz + 3*(size_t)v[c]);
-		bytes(t, 0, 2);
+		doubles(t, s->xyz + 3*(size_t)i, 3);
+		if (s->uv)
+			doubles(t, s->uv + 2*(size_t)i, 2);
+	}
+	for (f = 0; f < s->nf; f++) {
+		n = corners(s, f, &v);
+		for (i = -1; i < n; i++) {
+			if (!text_room(t))
+				return MESH_ENOMEM;
+			text_bytes(t, (uint64_t)(i < 0 ? n : v[i]), i < 0 ? size : 4);
+		}
 	}
 	return 0;
+}
+
+/* Hand over what t holds, or free it. */
+static int
+finish(Text *t, int e, char **out, size_t *n)
+{
+	if (e) {
+		free(t->p);
+		return e;
+	}
+	*out = t->p;
+	*n = t->n;
+	return 0;
+}
+
+int
+meshfile_format_soup(const Soup *s, int kind, char **out, size_t *n)
+{
+	Text t = { NULL, 0, 0 };
+	int e = kind == MESHFILE_OFF ? off(&t, s) : kind == MESHFILE_OBJ ? obj(&t, s) : ply(&t, s);
+
+	return finish(&t, e, out, n);
 }
 
 int
 meshfile_format(const Mesh *m, int kind, char **out, size_t *n)
 {
+	const Soup s = { .nv = m->nv, .nf = m->nf, .xyz = m->xyz, .idx = m->tri };
 	Text t = { NULL, 0, 0 };
-	int e;
 
-	e = kind == MESHFILE_OFF ? off(&t, m) : kind == MESHFILE_OBJ ? obj(&t, m) :
-	    kind == MESHFILE_PLY ? ply(&t, m) : stl(&t, m);
-	if (e) {
-		free(t.p);
-		return e;
-	}
-	*out = t.p;
-	*n = t.n;
-	return 0;
+	if (kind != MESHFILE_STL)
+		return meshfile_format_soup(&s, kind, out, n);
+	return finish(&t, text_stl(&t, m), out, n);
 }

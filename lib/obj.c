@@ -1,7 +1,20 @@
-/* obj.c - Wavefront OBJ: v and f lines. */
+/* obj.c - Wavefront OBJ: v and f lines, and vt lines where (u,v) are wanted. */
+#include <limits.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "meshpriv.h"
+
+/* vt[k] is (u,v) number k, of[c] the one that corner c names, or -1. */
+typedef struct Obj {
+	Reader *r;
+	double (*vt)[2];
+	int    *of;
+	int     nt;
+	size_t  capt, capo;
+} Obj;
 
 static int
 bad(Reader *r, const char *what, Token t)
@@ -45,59 +58,189 @@ vertex(Reader *r)
 	return soup_vertex(r, x);
 }
 
-/* a, a/b, a//c or a/b/c; a counts from 1, or back from -1, the vertex before. */
-static int
-corner(Reader *r, Token t)
+/* Room for thing n of an array that grows by doubling; returns it, or NULL, the old one kept. */
+static void *
+room(Obj *o, void *a, size_t *cap, size_t n, size_t size)
 {
-	const char *slash = memchr(t.s, '/', t.n);
-	Token a = { t.s, slash ? (size_t)(slash - t.s) : t.n };
-	long long i;
-	size_t k;
+	void *b;
 
-	for (k = a.n; k < t.n; k++)
-		if (!strchr("/-0123456789", t.s[k]) || !t.s[k])
-			return bad(r, "a corner", t);
-	if (!scan_int(a, &i))
-		return bad(r, "a corner", t);
-	if (i == 0)
+	if (n < *cap)
+		return a;
+	b = n <= SIZE_MAX / 4 / size ? realloc(a, 2*(n + 8) * size) : NULL;
+	if (b)
+		*cap = 2*(n + 8);
+	else
+		mesh_fail(o->r->s->err, MESH_ENOMEM, "no memory for %zu x %zu bytes", 2*(n + 8), size);
+	return b;
+}
+
+/* vt u v, then perhaps w. */
+static int
+texture(Obj *o)
+{
+	Reader *r = o->r;
+	double x[2], rest;
+	Token t = { "", 0 };
+	void *a;
+	int n;
+
+	for (n = 0; word(r, &t); n++)
+		if (!scan_number(t, n < 2 ? &x[n] : &rest))
+			return bad(r, "a coordinate", t);
+	if (n < 2 || n > 3 || o->nt == INT_MAX)
+		return mesh_fail(r->s->err, MESH_EFORMAT, "line %ld: vt %d has %d numbers",
+		    r->line, o->nt, n);
+	if (!isfinite(x[0]) || !isfinite(x[1]))
+		return mesh_fail(r->s->err, MESH_EVALUE, "line %ld: vt %d is not finite", r->line, o->nt);
+	if (!(a = room(o, o->vt, &o->capt, (size_t)o->nt, sizeof *o->vt)))
+		return MESH_ENOMEM;
+	o->vt = a;
+	memcpy(o->vt[o->nt++], x, sizeof x);
+	return 0;
+}
+
+/* Number a, from 1 or back from -1, of things of which there are n so far, made to count
+ * from 0.  A positive one may be of a thing to come. */
+static int
+number(Reader *r, Token a, int n, const char *things, long long *i)
+{
+	if (!scan_int(a, i))
+		return bad(r, "a corner", a);
+	if (*i == 0)
 		return mesh_fail(r->s->err, MESH_EINDEX,
 		    "face %d has the index 0, OBJ counts from 1", r->s->nf);
-	if (i < -(long long)r->s->nv)
+	if (*i < -(long long)n)
 		return mesh_fail(r->s->err, MESH_EINDEX,
-		    "face %d reaches back %lld vertices, there are %d", r->s->nf, -i, r->s->nv);
-	return soup_corner(r, i > 0 ? i - 1 : i + r->s->nv);
+		    "face %d reaches back %lld %s, there are %d", r->s->nf, -*i, things, n);
+	*i += *i > 0 ? -1 : n;
+	return 0;
+}
+
+/* Remember for the next corner the b of a/b or a/b/c, from its slash to the end. */
+static int
+cornertexture(Obj *o, const char *slash, const char *end)
+{
+	Token b = { "", 0 };
+	long long k = -1;
+	void *a;
+	int e;
+
+	if (slash)
+		for (b.s = slash + 1; b.s + b.n < end && b.s[b.n] != '/'; b.n++)
+			continue;
+	if (b.n > 0 && (e = number(o->r, b, o->nt, "vt lines", &k)) != 0)
+		return e;
+	if (!(a = room(o, o->of, &o->capo, o->r->ni, sizeof *o->of)))
+		return MESH_ENOMEM;
+	o->of = a;
+	o->of[o->r->ni] = k < INT_MAX ? (int)k : INT_MAX;
+	return 0;
+}
+
+/* a, a/b, a//c or a/b/c */
+static int
+corner(Obj *o, Token t)
+{
+	Reader *r = o->r;
+	const char *slash = memchr(t.s, '/', t.n);
+	const size_t n = slash ? (size_t)(slash - t.s) : t.n;
+	long long i;
+	size_t k;
+	int e;
+
+	for (k = n; k < t.n; k++)
+		if (!strchr("/-0123456789", t.s[k]) || !t.s[k])
+			return bad(r, "a corner", t);
+	if (n == 0)
+		return bad(r, "a corner", t);
+	if ((e = number(r, (Token){ t.s, n }, r->s->nv, "vertices", &i)) != 0)
+		return e;
+	if (r->wantuv && (e = cornertexture(o, slash, t.s + t.n)) != 0)
+		return e;
+	return soup_corner(r, i);
 }
 
 static int
-face(Reader *r)
+face(Obj *o)
 {
 	Token t;
 	int e;
 
-	while (word(r, &t))
-		if ((e = corner(r, t)) != 0)
+	while (word(o->r, &t))
+		if ((e = corner(o, t)) != 0)
 			return e;
-	return soup_face(r);
+	return soup_face(o->r);
+}
+
+/* The (u,v) of vertex v, from corner c of face f: the same from every corner. */
+static int
+settle(Obj *o, int f, int c, int v)
+{
+	Soup *s = o->r->s;
+	double *uv = s->uv + 2*(size_t)v;
+	const double *x;
+
+	if (o->of[c] < 0)
+		return mesh_fail(s->err, MESH_EFORMAT, "face %d gives no vt for vertex %d", f, v);
+	if (o->of[c] >= o->nt)
+		return mesh_fail(s->err, MESH_EINDEX, "face %d names vt %d of %d", f, o->of[c], o->nt);
+	x = o->vt[o->of[c]];
+	if ((uv[0] != -1 || uv[1] != -1) && (uv[0] != x[0] || uv[1] != x[1]))
+		return mesh_fail(s->err, MESH_EVALUE,
+		    "vertex %d has two (u,v), the second in face %d: a seam", v, f);
+	memcpy(uv, x, 2 * sizeof *uv);
+	return 0;
+}
+
+static int
+settleall(Obj *o)
+{
+	Soup *s = o->r->s;
+	int c, e, f;
+
+	if ((e = uv_start(o->r, 0)) != 0)
+		return e;
+	for (f = 0; f < s->nf; f++)
+		for (c = s->first[f]; c < s->first[f+1]; c++)
+			if (s->idx[c] < s->nv && (e = settle(o, f, c, s->idx[c])) != 0)
+				return e;
+	return 0;
+}
+
+static int
+statements(Obj *o)
+{
+	Reader *r = o->r;
+	Token t;
+	int e;
+
+	while (r->hash = 0, scan_token(r, &t)) {
+		r->hash = t.n > 0 && *t.s != '#';
+		e = 0;
+		if (t.n == 1 && *t.s == 'v')
+			e = vertex(r);
+		else if (t.n == 1 && *t.s == 'f')
+			e = face(o);
+		else if (r->wantuv && t.n == 2 && memcmp(t.s, "vt", 2) == 0)
+			e = texture(o);
+		else if (r->wantuv && t.n == 1 && *t.s == '#')
+			e = uv_modulus(r);
+		if (e)
+			return e;
+		scan_skipline(r);
+	}
+	return r->wantuv ? settleall(o) : 0;
 }
 
 int
 obj_read(Reader *r)
 {
-	Token t;
-	int e;
+	Obj o = { .r = r };
+	int e = statements(&o);
 
-	r->hash = 1;
-	while (scan_token(r, &t)) {
-		e = 0;
-		if (t.n == 1 && *t.s == 'v')
-			e = vertex(r);
-		else if (t.n == 1 && *t.s == 'f')
-			e = face(r);
-		if (e)
-			return e;
-		scan_skipline(r);
-	}
-	if (r->s->nv == 0)
+	free(o.vt);
+	free(o.of);
+	if (!e && r->s->nv == 0)
 		return mesh_fail(r->s->err, MESH_EFORMAT, "OBJ file without vertices");
-	return 0;
+	return e;
 }

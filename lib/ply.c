@@ -10,7 +10,7 @@ typedef struct Record {
 	const PlyElem *e;
 	long long i;
 	long long a, b, turn;   /* of a strip: the last two corners, how many since a restart */
-	double x[3];
+	double x[PLY_USES];
 } Record;
 
 static int
@@ -133,6 +133,8 @@ record(Record *c)
 		if (!q->count && q->use != PLY_SKIP)
 			c->x[q->use] = x;
 	}
+	if (c->e->kind == PLY_VERTEX && c->p->uv)
+		memcpy(c->p->r->s->uv + 2*c->i, c->x + c->p->uv, 2 * sizeof *c->x);
 	if (c->e->kind == PLY_VERTEX)
 		return soup_vertex(c->p->r, c->x);
 	return c->e->kind == PLY_FACE ? soup_face(c->p->r) : 0;
@@ -148,6 +150,8 @@ reserve(Ply *p, const PlyElem *e)
 	int err, i;
 
 	if ((err = soup_promise(p->r, what[e->kind], e->n, left / least)) != 0)
+		return err;
+	if (e->kind == PLY_VERTEX && p->uv && (err = uv_start(p->r, (size_t)e->n)) != 0)
 		return err;
 	if (e->kind == PLY_VERTEX)
 		return soup_reserve(p->r, (size_t)e->n, 0, 0);

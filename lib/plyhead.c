@@ -74,15 +74,28 @@ element(Ply *p)
 	return 0;
 }
 
+/* The use of a vertex property when (u,v) are wanted. */
 static int
-use(int kind, int list, Token name)
+uvuse(Token name)
+{
+	static const char *const known[] = { "s", "t", "u", "v", "texture_u", "texture_v" };
+	int i;
+
+	for (i = 0; i < 6; i++)
+		if (scan_is(name, known[i]))
+			return PLY_UV + i;
+	return PLY_SKIP;
+}
+
+static int
+use(int kind, int list, Token name, int wantuv)
 {
 	if (kind == PLY_VERTEX && !list && name.n == 1 && *name.s >= 'x' && *name.s <= 'z')
 		return *name.s - 'x';
 	if ((kind == PLY_FACE || kind == PLY_STRIP) && list &&
 	    (scan_is(name, "vertex_indices") || scan_is(name, "vertex_index")))
 		return PLY_CORNERS;
-	return PLY_SKIP;
+	return kind == PLY_VERTEX && !list && wantuv ? uvuse(name) : PLY_SKIP;
 }
 
 /* "property float x" or "property list uchar int vertex_indices" */
@@ -111,7 +124,7 @@ property(Ply *p)
 		return bad(p, "a type", t);
 	if (!scan_word(p->r, &t))
 		return bad(p, "a name", t);
-	q->use = use(e->kind, q->count != NULL, t);
+	q->use = use(e->kind, q->count != NULL, t, p->r->wantuv);
 	for (i = e->p0; i < p->np; i++)
 		if (q->use != PLY_SKIP && p->prop[i].use == q->use)
 			return bad(p, "a new name", t);
@@ -119,11 +132,29 @@ property(Ply *p)
 	return 0;
 }
 
+/* The first pair of which the vertices have both, into p->uv. */
+static int
+findpair(Ply *p, const PlyElem *vertex)
+{
+	int i, pair, has;
+
+	for (pair = PLY_UV; pair < PLY_USES; pair += 2) {
+		for (has = 0, i = vertex->p0; i < vertex->p1; i++)
+			has += p->prop[i].use == pair || p->prop[i].use == pair + 1;
+		if (has == 2) {
+			p->uv = pair;
+			return 0;
+		}
+	}
+	return mesh_fail(p->r->s->err, MESH_EFORMAT,
+	    "vertices lack (u,v): properties s t, u v or texture_u texture_v");
+}
+
 /* Each element that makes the mesh is there once at most, and has what it needs. */
 static int
 complete(Ply *p)
 {
-	int e, i, seen[4] = { 0 }, has;
+	int e, i, seen[4] = { 0 }, has, err;
 
 	for (e = 0; e < p->ne; e++) {
 		const PlyElem *x = &p->elem[e];
@@ -131,9 +162,11 @@ complete(Ply *p)
 		if (x->kind != PLY_OTHER && seen[x->kind]++)
 			return bad(p, "a new element", x->name);
 		for (has = 0, i = x->p0; i < x->p1; i++)
-			has += p->prop[i].use != PLY_SKIP;
+			has += p->prop[i].use != PLY_SKIP && p->prop[i].use < PLY_UV;
 		if (x->kind == PLY_VERTEX && has < 3)
 			return mesh_fail(p->r->s->err, MESH_EFORMAT, "vertices lack x, y or z");
+		if (x->kind == PLY_VERTEX && p->r->wantuv && (err = findpair(p, x)) != 0)
+			return err;
 		if (x->kind > PLY_VERTEX && has < 1)
 			return mesh_fail(p->r->s->err, MESH_EFORMAT,
 			    "faces lack a list vertex_indices");
@@ -152,6 +185,8 @@ line(Ply *p, Token t)
 		return element(p);
 	if (scan_is(t, "property"))
 		return property(p);
+	if (scan_is(t, "comment") && p->r->wantuv)
+		return uv_modulus(p->r);
 	if (scan_is(t, "comment") || scan_is(t, "obj_info"))
 		return 0;
 	return bad(p, "a header keyword", t);

@@ -87,19 +87,46 @@ setup_file() {
 	[ ! -e "$tmp/one.off" ]
 }
 
-@test "corners: by number, by file, and what is wrong with them" {
+@test "corners: by number, by point, by file, and what is wrong with them" {
+	# corner K of the cap's box: its vertices 0 1 2 3 stand at -135, -45, 45, 135 degrees
+	points=$(awk 'NR > 2 && NR <= 6 { printf "%s%.4f,%.4f,%.4f", (NR > 3 ? ";" : ""), $1, $2, $3 }' "$tmp/cap.off")
 	printf '0 1\n2,3\n' >"$tmp/corners"
+	echo "$points" | tr ';,' '\n ' >"$tmp/points"
 	try 0 '' "$tmp/cap.off" mesh2rect -n 8 -c 0,1,2,3
 	grid2mesh "$tmp/out" >"$tmp/by-number"
-	try 0 '' "$tmp/cap.off" mesh2rect -n 8 --corners="$tmp/corners"
-	grid2mesh "$tmp/out" | cmp "$tmp/by-number"
+	for c in "$tmp/corners" "$points" "$(echo "$points" | tr ';' '\n')" "$tmp/points" ./$(basename "$tmp/points"); do
+		(cd "$tmp" && mesh2rect -n 8 --corners="$c" "$tmp/cap.off") | grid2mesh | cmp "$tmp/by-number"
+	done
 	try 0 '' "$tmp/cap.off" mesh2rect -n 8 -c auto
 	try 1 'corner 199 is not a vertex of the boundary'  "$tmp/cap.off" mesh2rect -c 0,1,2,199
-	try 1 'do not go round the boundary once'           "$tmp/cap.off" mesh2rect -c 3,2,1,0
-	try 1 'do not go round the boundary once'           "$tmp/cap.off" mesh2rect -c 0,0,1,2
-	try 1 'No such file'                                "$tmp/cap.off" mesh2rect -c 0,1,2
-	echo 1 2 3 four >"$tmp/corners"
-	try 1 'not four vertex numbers'                     "$tmp/cap.off" mesh2rect -c "$tmp/corners"
+	try 1 'corner 200 is not a vertex of the boundary'  "$tmp/cap.off" mesh2rect -c 0,1,2,200
+	try 1 'corner 1.5 is not the number of a vertex'    "$tmp/cap.off" mesh2rect -c 0,1,2,1.5
+	try 1 'corner -1 is not the number of a vertex'     "$tmp/cap.off" mesh2rect -c 0,1,2,-1
+	try 1 'corners 3,2,1,0 do not go round the boundary once'  "$tmp/cap.off" mesh2rect -c 3,2,1,0
+	try 1 'corners 0,0,1,2 do not go round the boundary once'  "$tmp/cap.off" mesh2rect -c 0,0,1,2
+	try 1 'corners .*, nearest to the points, do not go round' "$tmp/cap.off" mesh2rect -c '9,0,0;9,0,0;0,9,0;0,-9,0'
+	for c in 0,1,2 0,1,2,3,4 '0,,1,2,3' '0,1,2,3;' '1,2,3;4,5,6;7,8,9' '1,2,3,4;5,6,7;8,9,10;11,12' \
+	    '1,2,3,4,5,6,7,8,9,10,11,12' '1,2,3;4,5,6;7,8,9;1e999,0,0' '1,2,3;;4,5,6;7,8,9;1,2,3' 0,1,2-3,4; do
+		try 2 'need four vertex numbers or four points' "$tmp/cap.off" mesh2rect -c "$c"
+	done
+	try 1 'nosuch: No such file'                        "$tmp/cap.off" mesh2rect -c "$tmp/nosuch"
+	for c in '1 2 3 four' '1 2 3' '' '0x1 2 3 4'; do
+		echo "$c" >"$tmp/corners"
+		try 1 'not four vertex numbers'             "$tmp/cap.off" mesh2rect -c "$tmp/corners"
+	done
+	printf '1 2 3\n4 5 6 7\n8 9\n10 11 12\n' >"$tmp/corners"
+	try 1 'not four points'                             "$tmp/cap.off" mesh2rect -c "$tmp/corners"
+	printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$tmp/one.obj"
+	try 1 'a boundary of three vertices has no four corners' "$tmp/one.obj" mesh2rect -n 8
+}
+
+@test "corners are the file's numbers, in options and in the metadata" {
+	{ echo "v 9 9 9"; awk 'NR == 2 { n = $1 } NR > 2 && NR <= n + 2 { print "v", $1, $2, $3 }
+		NR > n + 2 && NR > 2 { print "f", $2 + 2, $3 + 2, $4 + 2 }' "$tmp/cap.off"; } >"$tmp/shifted.obj"
+	mesh2rect -q -n 8 -c 1,2,3,4 "$tmp/shifted.obj" | lhinfo | grep -E 'corners +1,2,3,4'
+	mesh2rect -q -n 8 -c 1,2,3,4 "$tmp/shifted.obj" | grid2mesh >"$tmp/a"
+	mesh2rect -n 8 -c 0,1,2,3 "$tmp/cap.off" | grid2mesh | cmp "$tmp/a"
+	try 1 'corner 0 is not a vertex of the boundary' "$tmp/shifted.obj" mesh2rect -q -c 0,1,2,3
 }
 
 @test "binary data does not go to a terminal" {

@@ -57,7 +57,8 @@ make(Disk *d, const char *text)
 	e = disk_from_soup(d, &s);
 	soup_free(&s);
 	if (e)
-		assert_true(!d->m.xyz && !d->m.tri && !d->loop && d->err[0] && !strchr(d->err, '\n'));
+		assert_true(!d->m.xyz && !d->m.tri && !d->loop && !d->file && !d->became && d->err[0] &&
+		    !strchr(d->err, '\n'));
 	return e;
 }
 
@@ -241,7 +242,7 @@ raw_soups(void **state)
 {
 	double xyz[9] = { 0, 0, 0, 1, 0, 0, 0, 1, 0 };
 	int first[2] = { 0, 3 }, idx[3] = { 0, 1, 2 };
-	Soup s = { 3, 1, xyz, first, idx, "" };
+	Soup s = { .nv = 3, .nf = 1, .xyz = xyz, .first = first, .idx = idx };
 	Disk d;
 
 	(void)state;
@@ -268,7 +269,7 @@ shuffled(void **state)
 	double xyz[3*V];
 	int first[F+1], idx[3*F], f, k, v, t, turned = 0;
 	unsigned seed = 1;
-	Soup s = { V, F, xyz, first, idx, "" };
+	Soup s = { .nv = V, .nf = F, .xyz = xyz, .first = first, .idx = idx };
 	char note[100];
 	Disk d;
 
@@ -318,6 +319,104 @@ stl_welds(void **state)
 	disk_free(&back);
 }
 
+/* Every vertex of the disk stands where the soup's of its number stands, and so does every
+ * one of the soup that became it; the lowest of those gave the number. */
+static void
+traces(const Disk *d, const Soup *s)
+{
+	int v, k;
+
+	assert_int_equal(d->nfile, s->nv);
+	for (v = 0; v < d->m.nv; v++)
+		assert_int_equal(d->became[d->file[v]], v);
+	for (v = 0; v < s->nv; v++) {
+		if ((k = d->became[v]) < 0)
+			continue;
+		assert_true(k < d->m.nv && d->file[k] <= v);
+		assert_memory_equal(d->m.xyz + 3*k, s->xyz + 3*v, 3*sizeof(double));
+	}
+}
+
+static void
+origins(void **state)
+{
+	static const struct { const char *text; int nv, became[8]; } t[] = {
+		{ SQUARE "f 1 2 3\nf 1 3 4\n", 4, { 0, 1, 2, 3 } },
+		{ SQUARE "f 1 2 3 4\n", 4, { 0, 1, 2, 3 } },
+		{ "v 9 9 9\n" SQUARE "v 8 8 8\nf 4 5 2\nf 2 3 4\n", 6, { -1, 0, 1, 2, 3, -1 } },
+		{ SQUARE "v 1 1 0\nv 0 0 0\nf 3 1 2\nf 4 6 5\n", 6, { 0, 1, 2, 3, 2, 0 } },
+		{ "v 5 5 5\n" SQUARE "v 1 1 0\nv 0 0 0\nf 4 2 3\nf 5 7 6\n", 7, { -1, 0, 1, 2, 3, 2, 0 } }
+	};
+	size_t i;
+	Soup s;
+	Disk d;
+	int v;
+
+	(void)state;
+	for (i = 0; i < sizeof t / sizeof *t; i++) {
+		assert_int_equal(meshfile_parse(&s, t[i].text, strlen(t[i].text)), 0);
+		assert_int_equal(disk_from_soup(&d, &s), 0);
+		assert_int_equal(d.nfile, t[i].nv);
+		for (v = 0; v < t[i].nv; v++)
+			assert_int_equal(d.became[v], t[i].became[v]);
+		traces(&d, &s);
+		disk_free(&d);
+		soup_free(&s);
+	}
+}
+
+/* The normal of every face turns round, and the loop with it; twice is nothing. */
+static void
+flips(void **state)
+{
+	Disk d = good(TETRA "v 2 2 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 4 3 5\n", 5, 4, 4, ""), was = d;
+	int tri[12], loop[4], i;
+
+	(void)state;
+	memcpy(tri, d.m.tri, sizeof tri);
+	memcpy(loop, d.loop, sizeof loop);
+	disk_flip(&d);
+	isdisk(&d);
+	assert_true(d.nb == was.nb && d.m.nf == was.m.nf);
+	for (i = 0; i < 4; i++)
+		assert_int_equal(d.loop[i], loop[(4 - i)%4]);
+	for (i = 0; i < 12; i++)
+		assert_int_equal(find(&d.m, tri[i % 3 == 2 ? i - 2 : i + 1], tri[i]), 1);
+	disk_flip(&d);
+	assert_memory_equal(d.m.tri, tri, sizeof tri);
+	assert_memory_equal(d.loop, loop, sizeof loop);
+	disk_free(&d);
+	d = good("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", 3, 1, 3, "");
+	disk_flip(&d);                          /* an odd loop */
+	isdisk(&d);
+	disk_free(&d);
+}
+
+/* (u,v) go back to the soup's vertices, and into the rectangle. */
+static void
+uv_to_soup(void **state)
+{
+	static const char text[] = "v 5 5 5\n" SQUARE "v 1 1 0\nv 0 0 0\nf 4 2 3\nf 5 7 6\n";
+	static const double u[4] = { 0.125, 0.25, 1.01, -0.5 }, v[4] = { 0.5, 0.75, 0.8, -1e-9 };
+	static const double want[14] = { -1, -1, 0.125, 0.5, 0.25, 0.7, 1, 0.7, 0, 0, 1, 0.7, 0.125, 0.5 };
+	Soup s;
+	Disk d;
+	int i;
+
+	(void)state;
+	assert_int_equal(meshfile_parse(&s, text, strlen(text)), 0);
+	assert_true(!s.uv && s.T == 0);
+	assert_int_equal(disk_from_soup(&d, &s), 0);
+	for (i = 0; i < 2; i++) {
+		assert_int_equal(disk_uv(&d, u, v, 0.7, &s), 0);
+		assert_true(s.T == 0.7);
+		assert_memory_equal(s.uv, want, sizeof want);
+	}
+	disk_free(&d);
+	soup_free(&s);
+	assert_null(s.uv);
+}
+
 /* The file of the mesh folder as bytes, or NULL. */
 static char *
 slurp(const char *name, size_t *n)
@@ -359,6 +458,8 @@ real(const char *name, Disk *d, char why[MESH_ERRLEN])
 		return e;
 	}
 	e = disk_from_soup(d, &s);
+	if (!e)
+		traces(d, &s);
 	soup_free(&s);
 	strcpy(why, e ? d->err : d->note);
 	return e;
@@ -394,7 +495,9 @@ real_disks(void **state)
 		{ "bad/soup_duplicated_vertices.off", 1656, 3132, 178, "9396 vertices of a soup welded to 1656" },
 		{ "bad/orientation_half_flipped.obj", 1656, 3132, 178,
 		    "1566 of 3132 faces were turned to agree with the rest" },
-		{ "formats/bff_cowhead.obj", 15049, 29999, 97, "" }
+		{ "formats/bff_cowhead.obj", 15049, 29999, 97, "" },
+		{ "formats/hem_disk.obj", 3813, 7543, 81, "" },
+		{ "formats/doolkit_cusp.ply", 5076, 10050, 100, "3542 unreferenced vertices dropped" }
 	};
 	char why[MESH_ERRLEN];
 	size_t i;
@@ -437,7 +540,13 @@ real_refusals(void **state)
 		{ "formats/bunny_zipper.ply", MESH_EDISK, "5 boundary loops" },
 		{ "formats/ict_face_quads_uv.obj", MESH_EDISK, "56 components" },
 		{ "formats/sphere_ascii.stl", MESH_EDISK, "closed surface" },
-		{ "formats/beetle_binary.off", MESH_EMANIFOLD, "is pinched" }
+		{ "formats/beetle_binary.off", MESH_EMANIFOLD, "is pinched" },
+		{ "formats/horse_quad.obj", MESH_EDISK, "closed surface" },
+		{ "formats/finch_skull_binary.stl", MESH_EDISK, "closed surface" },
+		{ "formats/fsaverage5_pial_left.gii", MESH_EFORMAT, "GIFTI" },
+		{ "formats/fsaverage5_flat_left.gii", MESH_EFORMAT, "GIFTI" },
+		{ "formats/fsaverage5_flat_left.gii.gz", MESH_EFORMAT, "GIFTI" },
+		{ "formats/lh.tinysurface", MESH_EFORMAT, "FreeSurfer" }
 	};
 	char why[MESH_ERRLEN];
 	size_t i;
@@ -462,6 +571,9 @@ main(void)
 		cmocka_unit_test(raw_soups),
 		cmocka_unit_test(shuffled),
 		cmocka_unit_test(stl_welds),
+		cmocka_unit_test(origins),
+		cmocka_unit_test(flips),
+		cmocka_unit_test(uv_to_soup),
 		cmocka_unit_test(real_disks),
 		cmocka_unit_test(real_refusals),
 	};

@@ -589,6 +589,260 @@ gzipped(void **state)
 	free(big);
 }
 
+/* Every kind, and every way to write it, behind gzip: the same soup as without. */
+static void
+same_gzipped(const char *bytes, size_t n)
+{
+	unsigned char *z = malloc(n + 500);
+	size_t nz = deflated(bytes, n, z, n + 500);
+	Soup s, g;
+
+	if (parse(&s, bytes, n) || parse(&g, z, nz))
+		fail_msg("'%.20s': %s %s", bytes, s.err, g.err);
+	assert_true(s.nv > 0 && s.nf > 0);
+	assert_true(g.nv == s.nv && g.nf == s.nf);
+	assert_memory_equal(g.xyz, s.xyz, (size_t)s.nv * 3 * sizeof(double));
+	assert_memory_equal(g.first, s.first, ((size_t)s.nf + 1) * sizeof(int));
+	assert_memory_equal(g.idx, s.idx, (size_t)s.first[s.nf] * sizeof(int));
+	soup_free(&s);
+	soup_free(&g);
+	free(z);
+}
+
+static void
+every_kind_gzipped(void **state)
+{
+	static const char *const text[] = {
+		"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+		HEAD("ascii", "3") FACES("1") "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+		"solid\n" FACET "endsolid"
+	};
+	char buf[500], *p;
+	Mesh m = fan(5);
+	size_t i, n;
+	int k;
+
+	(void)state;
+	for (i = 0; i < sizeof text / sizeof *text; i++)
+		same_gzipped(text[i], strlen(text[i]));
+	for (k = MESHFILE_OFF; k <= MESHFILE_STL; k++) {
+		assert_int_equal(meshfile_format(&m, k, &p, &n), 0);
+		same_gzipped(p, n);
+		free(p);
+	}
+	mesh_free(&m);
+	for (k = 0; k < 8; k++)                         /* OFF BINARY and PLY, in both orders */
+		if (!(k & 1) || !(k & 4))
+			same_gzipped(buf, binaryfile(buf, k & 1, k >> 1 & 1, k >> 2 & 1));
+}
+
+static int
+parseuv(Soup *s, const void *bytes, size_t n)
+{
+	char *copy = malloc(n + !n);
+	int e;
+
+	memcpy(copy, bytes, n);
+	e = meshfile_parse_uv(s, copy, n);
+	free(copy);
+	if (e)
+		assert_true(!s->xyz && !s->first && !s->idx && !s->uv && s->err[0] && !strchr(s->err, '\n'));
+	return e;
+}
+
+/* Text of which the (u,v) and T must be these; read without them it is a mesh as ever. */
+static void
+readsuv(const char *text, double T, int nv, const double *uv)
+{
+	int i;
+	Soup s;
+
+	if (parseuv(&s, text, strlen(text)))
+		fail_msg("'%s': %s", text, s.err);
+	assert_int_equal(s.nv, nv);
+	for (i = 0; i < 2*nv; i++)
+		if (s.uv[i] != uv[i])
+			fail_msg("'%s': number %d is %g", text, i, s.uv[i]);
+	assert_true(s.T == T);
+	soup_free(&s);
+	assert_int_equal(parse(&s, text, strlen(text)), 0);
+	assert_true(!s.uv && s.T == 0 && s.nv == nv);
+	soup_free(&s);
+}
+
+static void
+refusesuv(const char *text, int code, const char *why)
+{
+	Soup s;
+	int e = parseuv(&s, text, strlen(text));
+
+	if (!e)
+		soup_free(&s);
+	if (e != code || !strstr(s.err, why))
+		fail_msg("'%.60s': code %d, '%s', not %d, '%s'", text, e, e ? s.err : "", code, why);
+}
+
+#define TRI "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+#define VT "vt .5 .25\nvt 0 1\nvt 1 0\n"
+#define PLYUV(c, p) "ply\nformat ascii 1.0\n" c "element vertex 3\nproperty float x\nproperty float y\n" \
+	"property float z\n" p FACES("1") "end_header\n"
+
+static void
+obj_uv(void **state)
+{
+	static const double uv[8] = { .5, .25, 0, 1, 1, 0, -1, -1 }, turned[6] = { 1, 0, .5, .25, 0, 1 };
+
+	(void)state;
+	readsuv(TRI VT "f 1/1 2/2 3/3\n", 0, 3, uv);
+	readsuv("# lhgrid T 0.75\n" TRI VT "f 1/1 2/2 3/3\n", 0.75, 3, uv);
+	readsuv("# by hand\n#\n#lhgrid T 3\n# lhgrid 5\n" TRI "# lhgrid T 1e-3 # so\n" VT "f 1/1 2/2 3/3", 1e-3, 3, uv);
+	readsuv(TRI "v 1 1 0\n" VT "f 1/1/1 2/2/1 3/3/1 # lhgrid T 7\n", 0, 4, uv);   /* 3 is of no face */
+	readsuv("f 1/1/7 2/2/7 3/3/7\n" VT TRI, 0, 3, uv);
+	readsuv(TRI VT "f 1/-3 2/-2 3/-1\n", 0, 3, uv);
+	readsuv(TRI VT "f 2/1 3/2 1/3\n", 0, 3, turned);
+	readsuv(TRI "vt .5 .25 0\nvt 0 1 0\nvt 1 0 0\nvt .5 .25\nf 1/1 2/2 3/3\nf 1/4 3/3 2/2\n", 0, 3, uv);
+	refusesuv(TRI "f 1 2 3\n", MESH_EFORMAT, "face 0 gives no vt for vertex 0");
+	refusesuv(TRI VT "f 1/1 2//2 3/3\n", MESH_EFORMAT, "face 0 gives no vt for vertex 1");
+	refusesuv(TRI VT "f 1/1 2/2 3/3\nf 1/1 3/2 2/2\n", MESH_EVALUE,
+	    "vertex 2 has two (u,v), the second in face 1: a seam");
+	refusesuv(TRI VT "vt 1 .1\nf 1/1 2/2 3/3\nf 1/1 3/4 2/2\n", MESH_EVALUE, "vertex 2 has two (u,v)");
+	refusesuv(TRI VT "f 1/1 2/2 3/4\n", MESH_EINDEX, "face 0 names vt 3 of 3");
+	refusesuv(TRI VT "f 1/1 2/2 3/99999999999\n", MESH_EINDEX, "face 0 names vt");
+	refusesuv(TRI VT "f 1/1 2/0 3/3\n", MESH_EINDEX, "index 0");
+	refusesuv(TRI VT "f 1/1 2/2 3/-4\n", MESH_EINDEX, "reaches back 4 vt lines, there are 3");
+	refusesuv(TRI "vt 0\nf 1/1 2/1 3/1\n", MESH_EFORMAT, "line 4: vt 0 has 1 numbers");
+	refusesuv(TRI "vt 0 nan\nf 1/1 2/1 3/1\n", MESH_EVALUE, "line 4: vt 0 is not finite");
+	refusesuv(TRI "vt 0 x\nf 1/1 2/1 3/1\n", MESH_EFORMAT, "'x' is not a coordinate");
+	refusesuv(TRI VT "# lhgrid T\nf 1/1 2/2 3/3\n", MESH_EVALUE, "T '' is not a positive number");
+	refusesuv(TRI VT "# lhgrid T -1\nf 1/1 2/2 3/3\n", MESH_EVALUE, "line 7: T '-1' is not a positive");
+	refusesuv(TRI VT "# lhgrid T nan\nf 1/1 2/2 3/3\n", MESH_EVALUE, "is not a positive number");
+	refusesuv(TRI VT "f 1/1 2/2 4/3\n", MESH_EINDEX, "face 0 names vertex 3 of 3");
+	refusesuv("OFF\n0 0 0\n", MESH_EFORMAT, "only OBJ and PLY carry (u,v)");
+	reads(TRI VT "f 1/1 2/2 3/3\nf 1/1 3/2 2/2\n", 3, "0 1 2/0 2 1");        /* a seam is fine else */
+	reads(TRI "vt nan\n# lhgrid T x\nf 1/7 2/7 3/7\n", 3, "0 1 2");
+}
+
+static void
+ply_uv(void **state)
+{
+	static const double uv[6] = { .5, .25, 0, 1, -1, -1 };
+	static const char data[] = "0 0 0 .5 .25\n1 0 0 0 1\n0 1 0 -1 -1\n3 0 1 2\n";
+	static const char *const pair[][2] = { { "s", "t" }, { "u", "v" }, { "texture_u", "texture_v" } };
+	char text[600];
+	int i;
+
+	(void)state;
+	for (i = 0; i < 3; i++) {
+		snprintf(text, sizeof text, PLYUV("comment lhgrid T .5\ncomment x\n", "property double %s\nproperty float %s\n")
+		    "%s", pair[i][0], pair[i][1], data);
+		readsuv(text, .5, 3, uv);
+	}
+	readsuv(PLYUV("", "property float u\nproperty float q\nproperty float t\nproperty float s\nproperty float v\n")
+	    "0 0 0 9 9 .25 .5 9\n1 0 0 9 9 1 0 9\n0 1 0 9 9 -1 -1 9\n3 0 1 2\n", 0, 3, uv);      /* s t first */
+	refusesuv(PLYUV("", "property float s\nproperty float v\n") "0 0 0 0 0\n", MESH_EFORMAT, "vertices lack (u,v)");
+	refusesuv(PLYUV("", "") "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", MESH_EFORMAT, "vertices lack (u,v)");
+	refusesuv(PLYUV("", "property list int int s\nproperty float t\n"), MESH_EFORMAT, "vertices lack (u,v)");
+	refusesuv(PLYUV("", "property float s\nproperty float t\n") "0 0 0 1 nan\n1 0 0 0 0\n0 1 0 0 0\n3 0 1 2\n",
+	    MESH_EVALUE, "vertex 0 has a (u,v) that is not finite");
+	refusesuv("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float s\n"
+	    "property float t\nend_header\n0 0 0 0\n", MESH_EFORMAT, "vertices lack x, y or z");
+	refusesuv(PLYUV("comment lhgrid T inf\n", ""), MESH_EVALUE, "T 'inf' is not a positive number");
+	refusesuv(PLYUV("", "property float s\nproperty float s\nproperty float t\n"), MESH_EFORMAT, "not a new name");
+	refusesuv("ply\nformat ascii 1.0\nelement vertex 2000000000\nproperty int x\nproperty int y\nproperty int z\n"
+	    "property int s\nproperty int t\nend_header\n0 0 0 0 0\n", MESH_EFORMAT, "file has room for");
+}
+
+/* A soup with a vertex of no face, a triangle, a quad and a polygon of n corners. */
+static Soup
+polygons(int n)
+{
+	Soup s = { .nv = n + 1, .nf = 3, .T = 1/3., .xyz = malloc((size_t)(n + 1) * 24), .first = malloc(16),
+	    .idx = malloc((size_t)(n + 7) * 4), .uv = malloc((size_t)(n + 1) * 16) };
+	int i;
+
+	for (i = 0; i <= n; i++) {
+		s.xyz[3*i] = cos(i), s.xyz[3*i+1] = sin(i)*1e-9, s.xyz[3*i+2] = i/7.;
+		s.uv[2*i] = i < n ? i/(n + 1.) : -1, s.uv[2*i+1] = i < n ? s.T/(i + 1) : -1;
+	}
+	for (i = 0; i < n + 7; i++)
+		s.idx[i] = i < 3 ? i : i < 7 ? n - i + 2 : i - 7;
+	s.first[0] = 0, s.first[1] = 3, s.first[2] = 7, s.first[3] = n + 7;
+	return s;
+}
+
+/* Soups come back as they were, bit by bit, quads as quads; OFF and those without uv
+ * without it; what is written again is the same file. */
+static void
+soup_round_trip(void **state)
+{
+	static const int corners[] = { 5, 255, 256, 1000 };
+	Soup a, b, plain;
+	char *p, *q;
+	size_t i, n, nq;
+	int kind, uv;
+
+	(void)state;
+	for (i = 0; i < 4; i++) {
+		a = polygons(corners[i]);
+		for (kind = MESHFILE_OFF; kind <= MESHFILE_PLY; kind++)
+			for (uv = 0; uv < 2; uv++) {
+				plain = a;
+				plain.uv = uv ? a.uv : NULL;
+				assert_int_equal(meshfile_format_soup(&plain, kind, &p, &n), 0);
+				uv &= kind != MESHFILE_OFF;
+				assert_int_equal(uv ? parseuv(&b, p, n) : parse(&b, p, n), 0);
+				assert_true(b.nv == a.nv && b.nf == a.nf && b.T == (uv ? a.T : 0));
+				assert_memory_equal(b.xyz, a.xyz, (size_t)a.nv * 24);
+				assert_memory_equal(b.first, a.first, 16);
+				assert_memory_equal(b.idx, a.idx, (size_t)a.first[3] * 4);
+				assert_true(!b.uv == !uv);
+				if (uv)
+					assert_memory_equal(b.uv, a.uv, (size_t)a.nv * 16);
+				assert_int_equal(meshfile_format_soup(&b, kind, &q, &nq), 0);
+				assert_true(nq == n && memcmp(p, q, n) == 0);
+				free(p);
+				free(q);
+				soup_free(&b);
+				uv |= kind == MESHFILE_OFF;
+			}
+		soup_free(&a);
+	}
+}
+
+/* Cut anywhere, or a byte changed: refused, or a soup whose (u,v) are numbers. */
+static void
+damaged_uv(void **state)
+{
+	static const char to[] = { 0, '\n', '-', '/', '0', '9', 'e', '#', (char)0x80, (char)0xff };
+	Soup a = polygons(5), s;
+	char *p, *copy;
+	size_t n, i, k;
+	int kind, c;
+
+	(void)state;
+	for (kind = MESHFILE_OBJ; kind <= MESHFILE_PLY; kind++) {
+		assert_int_equal(meshfile_format_soup(&a, kind, &p, &n), 0);
+		copy = malloc(n);
+		for (i = 0; i < n; i++) {
+			if (!parseuv(&s, p, i))
+				soup_free(&s);
+			for (k = 0; k < sizeof to; k++) {
+				memcpy(copy, p, n);
+				copy[i] = to[k];
+				if (parseuv(&s, copy, n))
+					continue;
+				for (c = 0; c < 2*s.nv; c++)
+					assert_true(isfinite(s.uv[c]));
+				assert_true(s.T >= 0 && isfinite(s.T));
+				soup_free(&s);
+			}
+		}
+		free(p);
+		free(copy);
+	}
+	soup_free(&a);
+}
+
 int
 main(void)
 {
@@ -606,6 +860,11 @@ main(void)
 		cmocka_unit_test(every_cut),
 		cmocka_unit_test(every_byte),
 		cmocka_unit_test(gzipped),
+		cmocka_unit_test(every_kind_gzipped),
+		cmocka_unit_test(obj_uv),
+		cmocka_unit_test(ply_uv),
+		cmocka_unit_test(soup_round_trip),
+		cmocka_unit_test(damaged_uv),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,67 @@
+/* stlwrite.c - a mesh as the bytes of a binary STL file. */
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "writepriv.h"
+
+static void
+floats(Text *t, const double x[3])
+{
+	uint32_t w;
+	float y;
+	int c;
+
+	for (c = 0; c < 3; c++) {
+		y = (float)x[c];
+		memcpy(&w, &y, 4);
+		text_bytes(t, w, 4);
+	}
+}
+
+/* Unit normal of triangle v, or 0 where numbers cannot say it. */
+static void
+normal(const Mesh *m, const int *v, double n[3])
+{
+	const double *a = m->xyz + 3*(size_t)v[0], *b = m->xyz + 3*(size_t)v[1];
+	const double *e = m->xyz + 3*(size_t)v[2];
+	double p[3], q[3], len;
+	int c;
+
+	for (c = 0; c < 3; c++)
+		p[c] = b[c] - a[c], q[c] = e[c] - a[c];
+	for (c = 0; c < 3; c++)
+		n[c] = p[(c+1)%3]*q[(c+2)%3] - p[(c+2)%3]*q[(c+1)%3];
+	len = sqrt(n[0]*n[0] + n[1]*n[1] + n[2]*n[2]);
+	for (c = 0; c < 3; c++)
+		n[c] = len > 0 && len <= DBL_MAX ? n[c] / len : 0;
+}
+
+int
+text_stl(Text *t, const Mesh *m)
+{
+	double n[3];
+	size_t i;
+	int c;
+
+	for (i = 0; i < 3*(size_t)m->nv; i++)
+		if (!(fabs(m->xyz[i]) <= (double)FLT_MAX))
+			return MESH_EVALUE;
+	if (!text_room(t))
+		return MESH_ENOMEM;
+	t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "%-80s", "lhgrid: binary STL");
+	text_bytes(t, (uint64_t)m->nf, 4);
+	for (i = 0; i < (size_t)m->nf; i++) {
+		const int *v = m->tri + 3*i;
+
+		if (!text_room(t))
+			return MESH_ENOMEM;
+		normal(m, v, n);
+		floats(t, n);
+		for (c = 0; c < 3; c++)
+			floats(t, m->xyz + 3*(size_t)v[c]);
+		text_bytes(t, 0, 2);
+	}
+	return 0;
+}

@@ -1,0 +1,199 @@
+/* test_gridpoint.c - lib/gridpoint.h: what polynomials, smooth surfaces and rough data
+ * must give between the nodes, and which (u,v) are refused. */
+#include "cmock.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../lib/gridpoint.h"
+
+typedef double Function(double u, double v, int c);
+
+/* A grid that holds f(u,v,c). */
+static void
+fill(Chart g, Function *f, double *phi[3])
+{
+	int c, i, j;
+
+	for (c = 0; c < 3; c++) {
+		phi[c] = malloc((size_t)g.nu*g.nv*sizeof *phi[c]);
+		for (j = 0; j < g.nv; j++)
+			for (i = 0; i < g.nu; i++)
+				phi[c][j*g.nu + i] = f(i*chart_h(g), j*chart_k(g), c);
+	}
+}
+
+static void
+drop(double *phi[3])
+{
+	int c;
+
+	for (c = 0; c < 3; c++)
+		free(phi[c]);
+}
+
+/* The largest error over n x m places, the border among them. */
+static double
+worst(Chart g, Function *f, int n, int m)
+{
+	double *phi[3], x[3], e = 0, u, v;
+	int c, i, j;
+
+	fill(g, f, phi);
+	for (j = 0; j <= m; j++)
+		for (i = 0; i <= n; i++) {
+			u = (double)i/n, v = g.T*j/m;
+			gridpoint(g, (const double *const *)phi, u, v, x);
+			for (c = 0; c < 3; c++)
+				e = fmax(e, fabs(x[c] - f(u, v, c)));
+		}
+	drop(phi);
+	return e;
+}
+
+static double
+cubic(double u, double v, int c)
+{
+	return c == 0 ? u*u*u*v*v*v - 2*u*u*v + v : c == 1 ? u*v*v*v + u*u*u - 1 : v*v*v - 3*u*u*u*v*v + 5;
+}
+
+static double
+quadratic(double u, double v, int c)
+{
+	return c == 0 ? u*u*v*v - u : c == 1 ? v*v + u*v : 3 - u*u*v;
+}
+
+static double
+bilinear(double u, double v, int c)
+{
+	return c == 0 ? u*v : c == 1 ? 1 - 2*u : v - 3*u*v;
+}
+
+static double
+smooth(double u, double v, int c)
+{
+	return c == 0 ? sin(4*u + v) : c == 1 ? exp(u)*cos(3*v) : 1/(1 + u + 2*v*v);
+}
+
+/* White noise of the node number. */
+static double
+rough(double u, double v, int c)
+{
+	double s = sin(12.9898*u + 78.233*v + c)*43758.5453;
+
+	return s - floor(s);
+}
+
+static void
+polynomials_are_exact(void **state)
+{
+	static const Chart grid[] = { { 4, 4, 1 }, { 5, 6, 0.3 }, { 6, 5, 2.5 }, { 9, 17, 0.7 }, { 40, 7, 1.3 } };
+	size_t i;
+
+	(void)state;
+	for (i = 0; i < sizeof grid/sizeof *grid; i++)
+		assert_true(worst(grid[i], cubic, 23, 29) < 1e-13*(1 + pow(grid[i].T, 3)*10));
+	assert_true(worst((Chart){ 3, 3, 0.8 }, quadratic, 13, 11) < 1e-14);
+	assert_true(worst((Chart){ 3, 8, 0.8 }, quadratic, 13, 11) < 1e-14);
+	assert_true(worst((Chart){ 2, 2, 1.7 }, bilinear, 13, 11) < 1e-14);
+	assert_true(worst((Chart){ 2, 7, 1.7 }, bilinear, 13, 11) < 1e-14);
+}
+
+static void
+nodes_are_kept(void **state)
+{
+	const Chart g = { 13, 7, 0.6 };
+
+	(void)state;
+	assert_true(worst(g, smooth, g.nu - 1, g.nv - 1) < 1e-14);
+}
+
+/* The border is as good as the inside: the order is that of the largest error. */
+static void
+fourth_order(void **state)
+{
+	double e[3];
+	int k, n;
+
+	(void)state;
+	for (k = 0, n = 16; k < 3; k++, n *= 2)
+		e[k] = worst((Chart){ n + 1, 3*n/2 + 1, 1.2 }, smooth, 7*n, 7*n);
+	assert_true(e[0] < 1e-3 && e[0]/e[1] > 13 && e[1]/e[2] > 14);
+}
+
+/* On data without any smoothness the slopes from both sides of a node line agree. */
+static void
+slopes_agree(void **state)
+{
+	const Chart g = { 11, 9, 0.7 };
+	const double d = 1e-6, v = 0.123, u = 0.777;
+	double *phi[3], x[3][3];
+	int c, i, k;
+
+	(void)state;
+	fill(g, rough, phi);
+	for (i = 1; i < g.nu - 1; i++)
+		for (k = 0; k < 2; k++) {
+			for (c = -1; c <= 1; c++)
+				gridpoint(g, (const double *const *)phi, k ? u : i*chart_h(g) + c*d,
+				    k ? i%(g.nv - 2)*chart_k(g) + chart_k(g) + c*d : v, x[c+1]);
+			for (c = 0; c < 3; c++)
+				assert_true(fabs(x[2][c] - 2*x[1][c] + x[0][c])/d < 0.01);
+		}
+	drop(phi);
+}
+
+static void
+meshes_are_moved(void **state)
+{
+	const Chart g = { 9, 9, 0.5 };
+	double xyz[12] = { 9, 9, 9, 8, 8, 8, 7, 7, 7, 6, 6, 6 }, uv[8], to[8], x[12], want[3];
+	Soup s = { .nv = 4, .xyz = xyz, .uv = uv };
+	double *phi[3];
+	int at, c;
+
+	(void)state;
+	fill(g, cubic, phi);
+	memcpy(uv, (double[8]){ 0.3, 0.4, -1, -1, 1 + 5e-7, -1e-7, 0.5, 0.25 }, sizeof uv);
+	assert_int_equal(gridpoint_move(g, (const double *const *)phi, &s, x, to, &at), 0);
+	assert_true(x[3] == 8 && x[4] == 8 && x[5] == 8 && to[2] == -1 && to[3] == -1);
+	assert_true(to[0] == 0.3 && to[1] == 0.4 && to[4] == 1 && to[5] == 0);
+	for (c = 0; c < 3; c++) {
+		assert_true(fabs(x[c] - cubic(0.3, 0.4, c)) < 1e-14);
+		assert_true(fabs(x[6+c] - cubic(1, 0, c)) < 1e-14);
+	}
+	s.T = 2;                        /* v = 0.4 of 2 is 0.1 of 0.5 */
+	assert_int_equal(gridpoint_move(g, (const double *const *)phi, &s, x, to, &at), 0);
+	for (c = 0; c < 3; c++)
+		assert_true(fabs(x[c] - cubic(0.3, 0.1, c)) < 1e-14);
+	uv[7] = 2;                      /* the top stays the top */
+	assert_int_equal(gridpoint_move(g, (const double *const *)phi, &s, x, to, &at), 0);
+	gridpoint(g, (const double *const *)phi, 0.5, 0.5, want);
+	assert_true(to[7] == 0.5 && x[9] == want[0]);
+	s.T = 0;                        /* units of the grid */
+	assert_int_equal(gridpoint_move(g, (const double *const *)phi, &s, x, to, &at), GRIDPOINT_EOUT);
+	assert_int_equal(at, 3);
+	uv[7] = 0.5, uv[4] = 1.00001;
+	assert_int_equal(gridpoint_move(g, (const double *const *)phi, &s, x, to, &at), GRIDPOINT_EOUT);
+	assert_int_equal(at, 2);
+	uv[4] = -1;                     /* one of the two is not enough */
+	assert_int_equal(gridpoint_move(g, (const double *const *)phi, &s, x, to, &at), GRIDPOINT_EOUT);
+	uv[4] = NAN;
+	assert_int_equal(gridpoint_move(g, (const double *const *)phi, &s, x, to, &at), GRIDPOINT_EOUT);
+	drop(phi);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(polynomials_are_exact),
+		cmocka_unit_test(nodes_are_kept),
+		cmocka_unit_test(fourth_order),
+		cmocka_unit_test(slopes_agree),
+		cmocka_unit_test(meshes_are_moved),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
