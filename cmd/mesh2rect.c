@@ -24,10 +24,10 @@ static const char text[] =
 "      --corners=auto four clear corners of the boundary if it has them, else four\n"
 "                     vertices at equal arc length from its lowest vertex number [auto]\n"
 "      --flip         turn the normal of the surface\n"
-"      --tolerance=X  split the mesh's facets where the map errs most until its certificate\n"
-"                     sqrt(E(u) E(v)) - 1, E the energies of the unit scaled coordinates, is\n"
-"                     at most X, 0..1 [1e-3]\n"
-"      --max-vertices=N  split no further when N vertices are reached, 0..100000000 [400000]\n"
+"      --split=N      solve on the mesh with every facet split into four, N times, 0..8 [2]\n"
+"      --tolerance=X  split further, where the map errs most, until its certificate\n"
+"                     sqrt(E(u) E(v/T)) - 1, E the Dirichlet energy, is at most X, 0..1 [1e-3]\n"
+"      --max-vertices=N  neither beyond about N vertices, 0..100000000 [400000]\n"
 "      --surface=smooth|facets  between the vertices the surface is C1 and cubic\n"
 "                     (Clough-Tocher over the chart) or flat [smooth]\n"
 "      --polish=N     at most N rounds that map the grid by its own metric, each kept only if\n"
@@ -36,15 +36,17 @@ static const char text[] =
 "      --uv=FILE      write the mesh as it was read, with its (u,v), to FILE .obj or .ply:\n"
 "                     for textures, and for grid2mesh --on; vertices of no face get -1,-1\n"
 CMD_USAGE
-"smooth makes H converge with the second order of the mesh size on smooth surfaces; over\n"
-"facets H does not converge, it sits on the edges.  Under -v: what was reached.\n";
+"On smooth surfaces and a grid as fine as the mesh, H converges with the second order of\n"
+"the mesh size as long as --split is not cut short; over facets it does not converge, it\n"
+"sits on the edges.  Under -v: what was reached.\n";
 
-enum { FLIP = 256, TOLERANCE, MOST, SURFACE, POLISH, ALLOW, UV = CMD_UNRECORDED };
+enum { FLIP = 256, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, ALLOW, UV = CMD_UNRECORDED };
 
 static const struct option longopt[] = {
 	{ "cells",        required_argument, NULL, 'n' },
 	{ "corners",      required_argument, NULL, 'c' },
 	{ "flip",         no_argument,       NULL, FLIP },
+	{ "split",        required_argument, NULL, SPLIT },
 	{ "tolerance",    required_argument, NULL, TOLERANCE },
 	{ "max-vertices", required_argument, NULL, MOST },
 	{ "surface",      required_argument, NULL, SURFACE },
@@ -117,7 +119,7 @@ add_positions(Lhg *out, const Grid *grid)
 int
 main(int argc, char *argv[])
 {
-	ConformalOptions options = { 1e-3, 400000, SAMPLER_SMOOTH, 8, 0 };
+	ConformalOptions options = { { 2, 1e-3, 400000 }, SAMPLER_SMOOTH, 8, 0 };
 	const char *corners = NULL, *uv = NULL;
 	Chart g = { 257, 257, 1 };
 	int opt, corner[4], flip = 0;
@@ -132,8 +134,9 @@ main(int argc, char *argv[])
 		case 'n': opt_cells(optarg, &g); break;
 		case 'c': corners = optarg; break;
 		case FLIP: flip = 1; break;
-		case TOLERANCE: options.tolerance = opt_double(optarg, 0, 1, "tolerance"); break;
-		case MOST: options.most = opt_long(optarg, 0, 100000000, "max-vertices"); break;
+		case TOLERANCE: options.map.tolerance = opt_double(optarg, 0, 1, "tolerance"); break;
+		case SPLIT: options.map.split = opt_long(optarg, 0, 8, "split"); break;
+		case MOST: options.map.most = opt_long(optarg, 0, 100000000, "max-vertices"); break;
 		case SURFACE: options.surface = opt_word(optarg, "facets\0smooth\0", "surface"); break;
 		case POLISH: options.polish = opt_long(optarg, 0, 100, "polish"); break;
 		case ALLOW: options.keep_turned = 1; break;

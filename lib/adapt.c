@@ -87,13 +87,18 @@ solve(AdaptMap *m, const int vertex[4], SpdReport *report)
 	return rectmap(&m->d, m->corner, m->u, m->v, &m->T, &m->certificate, report);
 }
 
+/* Into four: all faces, or the marked ones. */
 static int
-split(AdaptMap *m, int most)
+split(AdaptMap *m, int all, int most)
 {
 	unsigned char *marked = malloc(m->d.m.nf);
 	Disk finer;
-	int e = marked ? mark(m, most, marked) : SPD_ENOMEM;
+	int e = marked ? 0 : SPD_ENOMEM;
 
+	if (!e && all)
+		memset(marked, 1, m->d.m.nf);
+	else if (!e)
+		e = mark(m, most, marked);
 	if (!e && refine_split(&m->d, marked, &finer))
 		e = SPD_ENOMEM;
 	free(marked);
@@ -117,16 +122,18 @@ copy_disk(const Disk *d, Disk *copy)
 }
 
 int
-adapt_map(const Disk *d, const int vertex[4], double tolerance, int most, AdaptMap *a, SpdReport *report)
+adapt_map(const Disk *d, const int vertex[4], const AdaptOptions *o, AdaptMap *a, SpdReport *report)
 {
 	int e;
 
 	memset(a, 0, sizeof *a);
 	e = copy_disk(d, &a->d);
+	while (!e && a->rounds < o->split && a->d.m.nv <= o->most/4)
+		e = split(a, 1, 0);
 	if (!e)
 		e = solve(a, vertex, report);
-	while (!e && a->certificate > tolerance && a->d.m.nv < most) {
-		e = split(a, (most - a->d.m.nv)/2);
+	while (!e && a->certificate > o->tolerance && a->d.m.nv < o->most) {
+		e = split(a, 0, (o->most - a->d.m.nv)/2);
 		if (!e)
 			e = solve(a, vertex, report);
 	}

@@ -10,9 +10,17 @@
  *
  *   T certificate = sum (|grad u|^2 + |grad v|^2) A/2 - (area of the image),
  *
- * each term >= 0 and 0 only where the triangle is mapped conformally.  Those with the
- * largest terms are split, until the certificate is at most `tolerance` or the next
- * mesh would exceed `most` vertices. */
+ * each term >= 0 and 0 only where the triangle is mapped conformally: it says which
+ * triangles to split.
+ *
+ * Splitting all of them first makes (u,v) at the mesh's own vertices smooth: on the mesh
+ * as given they err by O(h^2) each in its own way, which costs H its second order. */
+typedef struct AdaptOptions {
+	int    split;           /* first split every facet into four, so often.. */
+	double tolerance;       /* then those with the largest terms until this is met.. */
+	int    most;            /* ..neither beyond about so many vertices */
+} AdaptOptions;
+
 typedef struct AdaptMap {
 	Disk    d;              /* the triangulation solved on last; its first vertices are
 	                         * those of the disk given */
@@ -23,7 +31,7 @@ typedef struct AdaptMap {
 
 /* vertex: the corners, as vertex numbers.  Returns 0, or SPD_ENOMEM, SPD_EINDEFINITE,
  * SPD_ELARGE; a then holds nothing to free. */
-int adapt_map(const Disk *d, const int vertex[4], double tolerance, int most, AdaptMap *a,
+int adapt_map(const Disk *d, const int vertex[4], const AdaptOptions *options, AdaptMap *a,
 	SpdReport *report);
 
 void adapt_free(AdaptMap *a);

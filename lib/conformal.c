@@ -2,7 +2,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "adapt.h"
 #include "conformal.h"
 #include "untangle.h"
 
@@ -49,7 +48,7 @@ conformal_grid(const Disk *d, const int corner[4], Chart g, const ConformalOptio
 	memset(c, 0, sizeof *c);
 	for (k = 0; k < 4; k++)
 		vertex[k] = d->loop[corner[k]];
-	e = adapt_map(d, vertex, options->tolerance, options->most, &a, report);
+	e = adapt_map(d, vertex, &options->map, &a, report);
 	if (e)
 		return e;
 	c->certificate = a.certificate;

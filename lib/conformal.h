@@ -2,12 +2,11 @@
 #ifndef CONFORMAL_H
 #define CONFORMAL_H
 
+#include "adapt.h"
 #include "polish.h"
-#include "spd.h"
 
 typedef struct ConformalOptions {
-	double tolerance;       /* of the certificate: facets are split until it is met.. */
-	int    most;            /* ..or the next mesh would have more vertices than this */
+	AdaptOptions map;
 	int    surface;         /* SAMPLER_FACETS or SAMPLER_SMOOTH */
 	int    polish;          /* rounds at most */
 	int    keep_turned;     /* go on with turned triangles */

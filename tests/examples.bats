@@ -21,7 +21,21 @@ load helper
 	[ -z "$(ls "$tmp/root/usr/bin")" ]
 }
 
-@test "the README names every command, and every option it shows exists" {
+@test "the make rules of the README smooth a folder of meshes, and only what is new" {
+	mkdir -p "$tmp/folder/scans"
+	sed -n '/^    MESHES :=/,/^Without/s/^    //p' README.md >"$tmp/folder/Makefile"
+	for kind in cap torus; do
+		mkmesh -n 500 $kind -o "$tmp/folder/scans/$kind.ply"
+	done
+	make -s -C "$tmp/folder" -j2
+	mesh2rect -n 8 "$tmp/folder/smooth/torus.ply" >/dev/null
+	touch "$tmp/folder/scans/cap.ply"
+	make -C "$tmp/folder" >"$tmp/said"
+	! grep -q torus "$tmp/said"
+	grep -q 'cap' "$tmp/said"
+}
+
+@test "the README names every command" {
 	for c in $commands; do
 		grep -q "$c" README.md
 	done
