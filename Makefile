@@ -65,7 +65,7 @@ check:
 	for t in $(UNIT); do $$t || exit 1; done
 	bats tests
 
-bench: all
+bench: all tests
 	PATH="$(CURDIR)/$(BUILD)/bin:$$PATH" sh scripts/bench
 
 install: all

@@ -1,129 +1,159 @@
 /* rectmap.c - the two harmonic functions and the modulus. */
+#include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "rectmap.h"
-#include "vec3.h"
 
-/* Half the cotangent of each angle of triangle t: w[k] belongs to the edge that faces
- * corner k. */
-static void
-half_cotangents(const Mesh *m, int t, double w[3])
-{
-	const int *c = &m->tri[3*t];
-	double a[3], b[3], n[3];
-	int k;
+enum { NUMBERS = 40 };  /* per vertex that the matrices and their order take, about */
 
-	for (k = 0; k < 3; k++) {
-		const double *x = &m->xyz[3*c[k]];
-
-		sub3(&m->xyz[3*c[(k+1)%3]], x, a);
-		sub3(&m->xyz[3*c[(k+2)%3]], x, b);
-		cross3(a, b, n);
-		w[k] = dot3(a, b)/(2*norm3(n));
-	}
-}
-
-void
-cotangent_apply(const Mesh *m, const double *x, double *y)
-{
-	double w[3], flow;
-	int t, k;
-
-	memset(y, 0, m->nv*sizeof *y);
-	for (t = 0; t < m->nf; t++) {
-		half_cotangents(m, t, w);
-		for (k = 0; k < 3; k++) {
-			int i = m->tri[3*t + (k+1)%3], j = m->tri[3*t + (k+2)%3];
-
-			flow = w[k]*(x[i] - x[j]);
-			y[i] += flow;
-			y[j] -= flow;
-		}
-	}
-}
-
-static double
-energy(const Mesh *m, const double *x, double *work)
-{
-	double e = 0;
-	int i;
-
-	cotangent_apply(m, x, work);
-	for (i = 0; i < m->nv; i++)
-		e += x[i]*work[i];
-	return e;
-}
-
-/* The rows and columns of C where free[i] >= 0, its new number. */
-static int
-assemble(const Mesh *m, const int *number, int n, Spd *a)
-{
-	double w[3];
-	int t, k, e = spd_init(a, n, 9*(size_t)m->nf);
-
-	if (e)
-		return e;
-	for (t = 0; t < m->nf; t++) {
-		half_cotangents(m, t, w);
-		for (k = 0; k < 3; k++) {
-			int i = number[m->tri[3*t + (k+1)%3]], j = number[m->tri[3*t + (k+2)%3]];
-
-			if (i >= 0)
-				spd_add(a, i, i, w[k]);
-			if (j >= 0)
-				spd_add(a, j, j, w[k]);
-			if (i >= 0 && j >= 0)
-				spd_add(a, i, j, -w[k]);
-		}
-	}
-	return 0;
-}
+/* One of the two systems, C_ff x_f = -C_fs x_s for the free vertices f and those on the
+ * sides, s.  Free vertices are numbered in the order of their elimination. */
+typedef struct Harmonic {
+	double    *x;           /* [nv] 0 at free vertices, until they are known */
+	int       *number;      /* [nv] of free vertices, -1 on the sides */
+	SpdColumns a;
+	double    *b;           /* [a.n] */
+} Harmonic;
 
 /* Sets side vertices of the loop, from corner a to corner b, to a value. */
 static void
-hold(const Disk *d, int a, int b, double value, double *x, int *number)
+hold(const Disk *d, int a, int b, double value, Harmonic *h)
 {
 	int i;
 
 	for (i = a; ; i = (i + 1)%d->nb) {
-		x[d->loop[i]] = value;
-		number[d->loop[i]] = -1;
+		h->x[d->loop[i]] = value;
+		h->number[d->loop[i]] = -1;
 		if (i == b)
 			break;
 	}
 }
 
-/* x harmonic, 0 on the side from zero[0] to zero[1] of the loop, 1 on the other, no
- * condition elsewhere.  C_ff x_f = -C_fs x_s for free f and sides s. */
-static int
-harmonic(const Disk *d, const int zero[2], const int one[2], double *x, SpdReport *report)
+/* Numbers the free vertices; returns how many entries their rows have at most below the
+ * diagonal and on it: every edge once. */
+static size_t
+number_free(const Cotangent *C, const int *order, Harmonic *h)
 {
-	int nv = d->m.nv, n = 0, i, e = SPD_ENOMEM;
-	int *number = calloc(nv, sizeof *number);
-	double *y = malloc(nv*sizeof *y);
-	Spd a;
+	int k;
 
-	if (!number || !y)
-		goto done;
-	memset(x, 0, nv*sizeof *x);
-	hold(d, zero[0], zero[1], 0, x, number);
-	hold(d, one[0], one[1], 1, x, number);
-	cotangent_apply(&d->m, x, y);
-	for (i = 0; i < nv; i++)
-		if (number[i] >= 0) {
-			y[n] = -y[i];
-			number[i] = n++;
+	for (h->a.n = 0, k = 0; k < C->g.n; k++)
+		if (h->number[order[k]] >= 0)
+			h->number[order[k]] = h->a.n++;
+	return (size_t)C->g.first[C->g.n]/2 + h->a.n;
+}
+
+/* Column and right-hand side of free vertex i; returns where the next column starts. */
+static int
+column(const Cotangent *C, int i, Harmonic *h, int next)
+{
+	int k, j, p = h->number[i], diagonal = next++;
+	double sum = 0;
+
+	for (h->b[p] = 0, k = C->g.first[i]; k < C->g.first[i+1]; k++) {
+		j = C->g.adj[k];
+		sum -= C->c[k];
+		if (h->number[j] < 0)
+			h->b[p] -= C->c[k]*h->x[j];
+		else if (h->number[j] > p) {
+			h->a.row[next] = h->number[j];
+			h->a.value[next++] = C->c[k];
 		}
-	e = assemble(&d->m, number, n, &a);
+	}
+	h->a.row[diagonal] = p;
+	h->a.value[diagonal] = sum;
+	return next;
+}
+
+static int
+assemble(const Cotangent *C, const int *order, Harmonic *h)
+{
+	size_t room = number_free(C, order, h);
+	int k, next = 0;
+
+	h->a.first = malloc((h->a.n + (size_t)1)*sizeof *h->a.first);
+	h->a.row = malloc(room*sizeof *h->a.row + 1);
+	h->a.value = malloc(room*sizeof *h->a.value + 1);
+	h->b = malloc(h->a.n*sizeof *h->b + 1);
+	if (!h->a.first || !h->a.row || !h->a.value || !h->b)
+		return SPD_ENOMEM;
+	for (k = 0; k < C->g.n; k++)
+		if (h->number[order[k]] >= 0) {
+			h->a.first[h->number[order[k]]] = next;
+			next = column(C, order[k], h, next);
+		}
+	h->a.first[h->a.n] = next;
+	return 0;
+}
+
+static void
+release(Harmonic *h)
+{
+	free(h->number);
+	free(h->a.first);
+	free(h->a.row);
+	free(h->a.value);
+	free(h->b);
+}
+
+/* Both systems, from the matrix and the order of its rows that they share. */
+static int
+assemble_pair(const Disk *d, Harmonic h[2])
+{
+	int *order = malloc(d->m.nv*sizeof *order), e[2] = { SPD_ENOMEM, SPD_ENOMEM }, k;
+	Cotangent C;
+
+	if (!order || cotangent_init(&C, d)) {
+		free(order);
+		return SPD_ENOMEM;
+	}
+	if (order_graph(&C.g, order) == 0) {
+#pragma omp parallel for schedule(static, 1)
+		for (k = 0; k < 2; k++)
+			e[k] = assemble(&C, order, &h[k]);
+	}
+	cotangent_free(&C);
+	free(order);
+	return e[0] ? e[0] : e[1];
+}
+
+static int
+solve_pair(const Disk *d, Harmonic h[2], SpdReport *report)
+{
+	const SpdColumns a[2] = { h[0].a, h[1].a };
+	double *const b[2] = { h[0].b, h[1].b };
+	int i, k, e = spd_solve_pair(a, b, report);
+
+	for (k = 0; !e && k < 2; k++)
+		for (i = 0; i < d->m.nv; i++)
+			if (h[k].number[i] >= 0)
+				h[k].x[i] = b[k][h[k].number[i]];
+	return e;
+}
+
+/* u and v1. */
+static int
+harmonic_pair(const Disk *d, const int corner[4], double *u, double *v, SpdReport *report)
+{
+	Harmonic h[2] = { { .x = u }, { .x = v } };
+	int k, e = SPD_ENOMEM;
+
+	for (k = 0; k < 2; k++) {
+		memset(h[k].x, 0, d->m.nv*sizeof *u);
+		h[k].number = calloc(d->m.nv, sizeof *h[k].number);
+	}
+	if (h[0].number && h[1].number) {
+		hold(d, corner[3], corner[0], 0, &h[0]);
+		hold(d, corner[1], corner[2], 1, &h[0]);
+		hold(d, corner[0], corner[1], 0, &h[1]);
+		hold(d, corner[2], corner[3], 1, &h[1]);
+		e = assemble_pair(d, h);
+	}
 	if (!e)
-		e = spd_solve(&a, NULL, 1, y, report);
-	for (i = 0; !e && i < nv; i++)
-		if (number[i] >= 0)
-			x[i] = y[number[i]];
-done:
-	free(number);
-	free(y);
+		e = solve_pair(d, h, report);
+	release(&h[0]);
+	release(&h[1]);
 	return e;
 }
 
@@ -131,25 +161,26 @@ int
 rectmap(const Disk *d, const int corner[4], double *u, double *v, double *T,
 	double *certificate, SpdReport *report)
 {
-	const int left[2] = { corner[3], corner[0] }, right[2] = { corner[1], corner[2] };
-	const int bottom[2] = { corner[0], corner[1] }, top[2] = { corner[2], corner[3] };
-	double *work = malloc(d->m.nv*sizeof *work), Eu, Ev;
-	int i, e = SPD_ENOMEM;
+	double Eu, Ev;
+	int i, e;
 
-	if (work)
-		e = harmonic(d, left, right, u, report);
-	if (!e)
-		e = harmonic(d, bottom, top, v, report);
-	if (!e) {
-		Eu = energy(&d->m, u, work);
-		Ev = energy(&d->m, v, work);
-		*T = sqrt(Eu/Ev);
-		*certificate = sqrt(Eu*Ev) - 1;
-		for (i = 0; i < d->m.nv; i++)
-			v[i] *= *T;
-	}
-	free(work);
-	return e;
+	memset(report, 0, sizeof *report);
+	if (3*(size_t)d->m.nf + d->nb > INT_MAX)
+		return SPD_ELARGE;
+	e = harmonic_pair(d, corner, u, v, report);
+	if (!e && cotangent_energy(&d->m, u, v, &Eu, &Ev))
+		e = SPD_ENOMEM;
+	if (e == SPD_ENOMEM && !(report->bytes > 0))
+		report->bytes = NUMBERS*sizeof(double)*d->m.nv;
+	if (e)
+		return e;
+	if (!(Eu > 0 && Eu < HUGE_VAL && Ev > 0 && Ev < HUGE_VAL))
+		return SPD_EINDEFINITE;
+	*T = sqrt(Eu/Ev);
+	*certificate = sqrt(Eu*Ev) - 1;
+	for (i = 0; i < d->m.nv; i++)
+		v[i] *= *T;
+	return 0;
 }
 
 int

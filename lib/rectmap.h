@@ -11,6 +11,7 @@
 #ifndef RECTMAP_H
 #define RECTMAP_H
 
+#include "cotangent.h"
 #include "mesh.h"
 #include "spd.h"
 
@@ -19,13 +20,11 @@
  * u, v       out  [nv] of each vertex, 0 <= v <= T on the sides
  * report     out  what CHOLMOD says on failure
  *
+ * The same bits for any number of threads; two work well.
+ *
  * Returns 0, or one of SPD_ENOMEM, SPD_EINDEFINITE, SPD_ELARGE. */
 int rectmap(const Disk *d, const int corner[4], double *u, double *v, double *T,
 	double *certificate, SpdReport *report);
-
-/* y = C x, C the cotangent matrix: C_ij = -(cot a + cot b)/2 over the two angles that
- * face edge ij, rows summing to 0; <x, C x> is the Dirichlet energy of x. */
-void cotangent_apply(const Mesh *m, const double *x, double *y);
 
 /* Triangles that the map turned over: those with (u,v) area < 0. */
 int rectmap_flipped(const Mesh *m, const double *u, const double *v);

@@ -2,6 +2,8 @@
  * known in closed form. */
 #include "cmock.h"
 
+#include <omp.h>
+
 #include "../lib/corners.h"
 #include "../lib/lambdah.h"
 #include "../lib/rectmap.h"
@@ -296,6 +298,157 @@ corners_by_number(void **state)
 	disk_free(&d);
 }
 
+/* A square of two triangles: every vertex is a corner, nothing is left to solve for. */
+static void
+no_free_vertices(void **state)
+{
+	double xyz[] = { 0,0,0, 1,0,0, 1,2,0, 0,2,0 }, u[4], v[4], T, certificate;
+	int idx[] = { 0,1,2, 0,2,3 }, first[] = { 0, 3, 6 }, i;
+	static const int corner[4] = { 0, 1, 2, 3 };
+	Soup soup = { .nv = 4, .nf = 2, .xyz = xyz, .idx = idx, .first = first };
+	SpdReport report;
+	Disk d;
+
+	(void)state;
+	assert_int_equal(disk_from_soup(&d, &soup), 0);
+	assert_int_equal(rectmap(&d, corner, u, v, &T, &certificate, &report), 0);
+	assert_true(fabs(T - 2) < 1e-14);
+	assert_true(fabs(certificate) < 1e-14);
+	for (i = 0; i < 4; i++) {
+		assert_true(fabs(u[i] - xyz[3*i]) < 1e-14);
+		assert_true(fabs(v[i] - xyz[3*i+1]) < 1e-14);
+	}
+	disk_free(&d);
+}
+
+/* The matrix holds no more than it applies: C x by rows against C x by triangles. */
+static void
+rows_are_the_triangles(void **state)
+{
+	Mapped m;
+	Cotangent C;
+	unsigned long long seed = 5;
+	double *x, *y, z, Eu, Ev, energy = 0;
+	int i, k;
+
+	(void)state;
+	map("catenoid", 800, &m);
+	x = malloc(m.d.m.nv*sizeof *x), y = malloc(m.d.m.nv*sizeof *y);
+	for (i = 0; i < m.d.m.nv; i++)
+		x[i] = noise(&seed);
+	cotangent_apply(&m.d.m, x, y);
+	assert_int_equal(cotangent_init(&C, &m.d), 0);
+	for (i = 0; i < C.g.n; i++) {
+		for (z = 0, k = C.g.first[i]; k < C.g.first[i+1]; k++)
+			z += C.c[k]*(x[C.g.adj[k]] - x[i]);
+		assert_true(fabs(z - y[i]) < 1e-11);
+		energy += x[i]*y[i];
+	}
+	assert_int_equal(cotangent_energy(&m.d.m, x, m.u, &Eu, &Ev), 0);
+	assert_true(fabs(Eu/energy - 1) < 1e-12);
+	cotangent_free(&C);
+	free(x), free(y);
+	unmap(&m);
+}
+
+/* One vertex moved onto its neighbour: angles that are not numbers, at sizes for
+ * both ways that CHOLMOD has to factor. */
+static void
+degenerate_triangle_is_reported(void **state)
+{
+	static const int size[] = { 300, 40000 };
+	Mapped m;
+	SpdReport report;
+	size_t s;
+	int *t;
+
+	(void)state;
+	for (s = 0; s < 2; s++) {
+		map("rectangle", size[s], &m);
+		t = &m.d.m.tri[3*(m.d.m.nf/2)];
+		memcpy(&m.d.m.xyz[3*(size_t)t[0]], &m.d.m.xyz[3*(size_t)t[1]], 3*sizeof(double));
+		assert_int_equal(rectmap(&m.d, m.corner, m.u, m.v, &m.T, &m.certificate, &report), SPD_EINDEFINITE);
+		unmap(&m);
+	}
+}
+
+static int
+upright(const Mesh *m)
+{
+	int t;
+
+	for (t = 0; t < m->nf; t++) {
+		const double *a = &m->xyz[3*m->tri[3*t]], *b = &m->xyz[3*m->tri[3*t+1]], *c = &m->xyz[3*m->tri[3*t+2]];
+
+		if (!((b[0] - a[0])*(c[1] - a[1]) - (b[1] - a[1])*(c[0] - a[0]) > 0))
+			return 0;
+	}
+	return 1;
+}
+
+/* Vertices moved almost onto a neighbour, so that cotangents reach 1e6: u and v1 of
+ * a rectangle stay linear, but for the rounding of so large entries. */
+static void
+slivers_are_mapped(void **state)
+{
+	Mapped m;
+	SpdReport report;
+	double a, keep[3], *x, *y, step = 1;
+	int i, t, moved = 0;
+
+	(void)state;
+	map("rectangle", 500, &m);
+	a = m.dom.x1 - m.dom.x0;
+	for (t = 0; t < m.d.m.nf && moved < 10; t++) {
+		for (i = 0; i < m.d.nb && m.d.loop[i] != m.d.m.tri[3*t]; i++)
+			;
+		if (i < m.d.nb)
+			continue;
+		x = &m.d.m.xyz[3*m.d.m.tri[3*t]], y = &m.d.m.xyz[3*m.d.m.tri[3*t+1]];
+		if (hypot(x[0] - y[0], x[1] - y[1]) < 1e-3)
+			continue;
+		memcpy(keep, x, sizeof keep);
+		for (i = 0; i < 2; i++)
+			x[i] = y[i] + 1e-5*(x[i] - y[i]);
+		step = fmin(step, fabs(x[0] - y[0]));
+		if (upright(&m.d.m))
+			moved++;
+		else
+			memcpy(x, keep, sizeof keep);
+	}
+	assert_int_equal(moved, 10);
+	assert_true(step < 1e-6);
+	assert_int_equal(rectmap(&m.d, m.corner, m.u, m.v, &m.T, &m.certificate, &report), 0);
+	assert_true(fabs(m.T*a/(m.dom.y1 - m.dom.y0) - 1) < 1e-8);
+	for (i = 0; i < m.d.m.nv; i++)
+		assert_true(fabs(m.u[i] - m.d.m.xyz[3*i]/a) < 1e-6);
+	unmap(&m);
+}
+
+static void
+same_bits_for_any_threads(void **state)
+{
+	int threads = omp_get_max_threads(), t;
+	double *u, *v, T, certificate;
+	SpdReport report;
+	Mapped m;
+
+	(void)state;
+	omp_set_num_threads(1);
+	map("face", 20000, &m);
+	u = malloc(m.d.m.nv*sizeof *u), v = malloc(m.d.m.nv*sizeof *v);
+	for (t = 2; t <= 8; t *= 2) {
+		omp_set_num_threads(t);
+		assert_int_equal(rectmap(&m.d, m.corner, u, v, &T, &certificate, &report), 0);
+		assert_memory_equal(u, m.u, m.d.m.nv*sizeof *u);
+		assert_memory_equal(v, m.v, m.d.m.nv*sizeof *v);
+		assert_memory_equal(&T, &m.T, sizeof T);
+	}
+	omp_set_num_threads(threads);
+	free(u), free(v);
+	unmap(&m);
+}
+
 int
 main(void)
 {
@@ -310,6 +463,11 @@ main(void)
 		cmocka_unit_test(lambda_and_H_of_the_chain),
 		cmocka_unit_test(corners_by_shape),
 		cmocka_unit_test(corners_by_number),
+		cmocka_unit_test(no_free_vertices),
+		cmocka_unit_test(rows_are_the_triangles),
+		cmocka_unit_test(degenerate_triangle_is_reported),
+		cmocka_unit_test(slivers_are_mapped),
+		cmocka_unit_test(same_bits_for_any_threads),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

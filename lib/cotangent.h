@@ -1,0 +1,27 @@
+/* cotangent.h - the cotangent matrix C of a mesh: C_ij = -(cot a + cot b)/2 over the two
+ * angles that face edge ij, rows summing to 0; <x, C x> is the Dirichlet energy of x. */
+#ifndef COTANGENT_H
+#define COTANGENT_H
+
+#include "mesh.h"
+#include "order.h"
+
+enum { COTANGENT_ENOMEM = -1 };
+
+/* C of a disk off its diagonal: c[k] = C_ij for neighbour j = g.adj[k] of vertex i. */
+typedef struct Cotangent {
+	Graph   g;
+	double *c;
+} Cotangent;
+
+/* Returns 0 or COTANGENT_ENOMEM, nothing to free then. */
+int  cotangent_init(Cotangent *C, const Disk *d);
+void cotangent_free(Cotangent *C);
+
+/* y = C x. */
+void cotangent_apply(const Mesh *m, const double *x, double *y);
+
+/* <u, C u> and <v, C v>, summed over triangles.  Returns 0 or COTANGENT_ENOMEM. */
+int cotangent_energy(const Mesh *m, const double *u, const double *v, double *Eu, double *Ev);
+
+#endif

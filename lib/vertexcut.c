@@ -1,0 +1,139 @@
+/* vertexcut.c - the smallest vertex separator within a band, by augmenting paths.
+ *
+ * By Menger's theorem it has as many vertices as there are paths through the band that
+ * share none.  Each vertex v is a pair in(v) -> out(v), node 2v and 2v+1, that one path
+ * may pass; paths are added one by one, each may push parts of older ones aside.  All
+ * searches of a round share their marks, so that a round costs one look at the band,
+ * and a few rounds find all paths. */
+#include "vertexcut.h"
+
+enum { NONE = -1, END = -2 };   /* of a path; as parent: not seen, and where a search began */
+
+/* What a band vertex touches, kept in its side while the cut is sought. */
+enum { BAND = CUT_SEPARATOR, AT_LEFT = 4, AT_RIGHT = 8 };
+
+typedef struct Cut {
+	const Graph *g;
+	signed char *side;
+	int *next, *prev;       /* [n] on the path through the vertex: a vertex, NONE, or END */
+	int *edge;              /* [n] the next edge of out(v) to look at */
+	int *parent;            /* [2n] of the search */
+	int *band, n;
+} Cut;
+
+static void
+find_band(Cut *c)
+{
+	int i, k, v;
+
+	for (v = 0; v < c->g->n; v++)
+		if (c->side[v] == CUT_SEPARATOR) {
+			c->next[v] = c->prev[v] = NONE;
+			c->band[c->n++] = v;
+		}
+	for (i = 0; i < c->n; i++)
+		for (v = c->band[i], k = c->g->first[v]; k < c->g->first[v+1]; k++) {
+			int side = c->side[c->g->adj[k]];
+
+			if (side < BAND)
+				c->side[v] |= side == CUT_LEFT ? AT_LEFT : AT_RIGHT;
+		}
+}
+
+/* A node that can be reached from `node` and has not been, or NONE. */
+static int
+step(Cut *c, int node)
+{
+	int v = node/2, w;
+
+	if (node%2 == 0) {                              /* at in(v) */
+		if (c->next[v] == NONE)
+			w = node + 1;
+		else
+			w = c->prev[v] == END ? NONE : 2*c->prev[v] + 1;
+		return w >= 0 && c->parent[w] == NONE ? w : NONE;
+	}
+	while (c->edge[v] < c->g->first[v+1]) {         /* at out(v) */
+		w = c->g->adj[c->edge[v]++];
+		if (c->side[w] >= BAND && c->parent[2*w] == NONE)
+			return 2*w;
+	}
+	return c->next[v] != NONE && c->parent[node-1] == NONE ? node - 1 : NONE;
+}
+
+/* The path that a search found, from its last node back. */
+static void
+augment(Cut *c, int node)
+{
+	int from;
+
+	c->next[node/2] = END;
+	for (; (from = c->parent[node]) != END; node = from)
+		if (node%2 == 0 && from/2 != node/2) {          /* out(v) -> in(w) */
+			c->next[from/2] = node/2;
+			c->prev[node/2] = from/2;
+		} else if (node%2 == 0)                         /* out(v) -> in(v): v is left */
+			c->next[node/2] = c->prev[node/2] = NONE;
+	c->prev[node/2] = END;
+}
+
+/* Depth first from in(v); 1 when a path came of it. */
+static int
+search(Cut *c, int v)
+{
+	int node = 2*v, to;
+
+	if (c->parent[node] != NONE)
+		return 0;
+	c->parent[node] = END;
+	while (node != END) {
+		if (node%2 && (c->side[node/2] & AT_RIGHT) && c->next[node/2] != END) {
+			augment(c, node);
+			return 1;
+		}
+		to = step(c, node);
+		if (to == NONE)
+			node = c->parent[node];
+		else {
+			c->parent[to] = node;
+			node = to;
+		}
+	}
+	return 0;
+}
+
+static int
+one_round(Cut *c)
+{
+	int i, v, found = 0;
+
+	for (i = 0; i < c->n; i++) {
+		v = c->band[i];
+		c->parent[2*v] = c->parent[2*v+1] = NONE;
+		c->edge[v] = c->g->first[v];
+	}
+	for (i = 0; i < c->n; i++)
+		if (c->side[c->band[i]] & AT_LEFT)
+			found += search(c, c->band[i]);
+	return found;
+}
+
+void
+vertexcut(const Graph *g, signed char *side, int *work)
+{
+	Cut c = { g, side, work, work + g->n, work + 2*g->n, work + 3*g->n, work + 5*g->n, 0 };
+	int i, v;
+
+	find_band(&c);
+	while (one_round(&c))
+		;
+	for (i = 0; i < c.n; i++) {
+		v = c.band[i];
+		if (c.parent[2*v+1] != NONE)
+			side[v] = CUT_LEFT;
+		else if (c.parent[2*v] == NONE)
+			side[v] = CUT_RIGHT;
+		else
+			side[v] = CUT_SEPARATOR;
+	}
+}
