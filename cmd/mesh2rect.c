@@ -24,10 +24,10 @@ static const char text[] =
 "      --corners=auto four clear corners of the boundary if it has them, else four\n"
 "                     vertices at equal arc length from its lowest vertex number [auto]\n"
 "      --flip         turn the normal of the surface\n"
-"      --split=N      solve on the mesh with every facet split into four, N times, 0..8 [2]\n"
-"      --tolerance=X  split further, where the map errs most, until its certificate\n"
+"      --tolerance=X  split the facets where the map errs most until its certificate\n"
 "                     sqrt(E(u) E(v/T)) - 1, E the Dirichlet energy, is at most X, 0..1 [1e-3]\n"
-"      --max-vertices=N  neither beyond about N vertices, 0..100000000 [400000]\n"
+"      --split=N      at last split every facet into four, N times, 0..8 [1]\n"
+"      --max-vertices=N  neither beyond about N vertices, 0..100000000 [300000]\n"
 "      --surface=smooth|facets  between the vertices the surface is C1 and cubic\n"
 "                     (Clough-Tocher over the chart) or flat [smooth]\n"
 "      --polish=N     at most N rounds that map the grid by its own metric, each kept only if\n"
@@ -37,8 +37,8 @@ static const char text[] =
 "                     for textures, and for grid2mesh --on; vertices of no face get -1,-1\n"
 CMD_USAGE
 "On smooth surfaces and a grid as fine as the mesh, H converges with the second order of\n"
-"the mesh size as long as --split is not cut short; over facets it does not converge, it\n"
-"sits on the edges.  Under -v: what was reached.\n";
+"the mesh size (--split=2, not cut short by --max-vertices; from some 20000 vertices on a\n"
+"little more slowly by default); over facets it does not converge, it sits on the edges.  Under -v: what was reached.\n";
 
 enum { FLIP = 256, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, ALLOW, UV = CMD_UNRECORDED };
 
@@ -119,7 +119,7 @@ add_positions(Lhg *out, const Grid *grid)
 int
 main(int argc, char *argv[])
 {
-	ConformalOptions options = { { 2, 1e-3, 400000 }, SAMPLER_SMOOTH, 8, 0 };
+	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 8, 0 };
 	const char *corners = NULL, *uv = NULL;
 	Chart g = { 257, 257, 1 };
 	int opt, corner[4], flip = 0;

@@ -124,12 +124,10 @@ copy_disk(const Disk *d, Disk *copy)
 int
 adapt_map(const Disk *d, const int vertex[4], const AdaptOptions *o, AdaptMap *a, SpdReport *report)
 {
-	int e;
+	int e, k = 0;
 
 	memset(a, 0, sizeof *a);
 	e = copy_disk(d, &a->d);
-	while (!e && a->rounds < o->split && a->d.m.nv <= o->most/4)
-		e = split(a, 1, 0);
 	if (!e)
 		e = solve(a, vertex, report);
 	while (!e && a->certificate > o->tolerance && a->d.m.nv < o->most) {
@@ -137,6 +135,10 @@ adapt_map(const Disk *d, const int vertex[4], const AdaptOptions *o, AdaptMap *a
 		if (!e)
 			e = solve(a, vertex, report);
 	}
+	for (k = 0; !e && k < o->split && a->d.m.nv <= o->most/4; k++)
+		e = split(a, 1, 0);
+	if (!e && k > 0)
+		e = solve(a, vertex, report);
 	if (e)
 		adapt_free(a);
 	return e;

@@ -13,11 +13,11 @@
  * each term >= 0 and 0 only where the triangle is mapped conformally: it says which
  * triangles to split.
  *
- * Splitting all of them first makes (u,v) at the mesh's own vertices smooth: on the mesh
+ * Splitting all of them at last makes (u,v) at the mesh's own vertices smooth: on the mesh
  * as given they err by O(h^2) each in its own way, which costs H its second order. */
 typedef struct AdaptOptions {
-	int    split;           /* first split every facet into four, so often.. */
-	double tolerance;       /* then those with the largest terms until this is met.. */
+	double tolerance;       /* split the facets with the largest terms until this is met.. */
+	int    split;           /* ..then every facet into four, so often.. */
 	int    most;            /* ..neither beyond about so many vertices */
 } AdaptOptions;
 

@@ -1,6 +1,7 @@
 /* polish.c - rounds of conformal maps of a grid onto itself. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "bicubic.h"
 #include "gridlaplace.h"
@@ -8,7 +9,9 @@
 #include "polish.h"
 #include "stats.h"
 
-static const double WORTH = 0.97;       /* a round that leaves more is the last */
+static const double WORTH = 0.85;       /* a round that leaves more has gained nothing */
+static const double FOLDED = 2e-3;      /* mean above which a second one without gain is let pass: from
+                                         * a start with folds the way may go uphill */
 
 static int
 grid_alloc(Grid *a, Chart g)
@@ -87,8 +90,9 @@ invert(const Shift *s, Chart g, int i, int j, double *x, double *y)
 	Bicubic at;
 	int k;
 
-	*x = i, *y = j;
-	for (k = 0; k < 200 && fmax(fabs(dx), fabs(dy)) > 1e-9; k++) {
+	*x = i - s->du[(size_t)j*g.nu + i];
+	*y = j - s->dv[(size_t)j*g.nu + i];
+	for (k = 0; k < 200 && fmax(fabs(dx), fabs(dy)) > 1e-6; k++) {
 		w = k < 30 ? 1 : 0.3;
 		at = bicubic_at(g.nu, g.nv, *x, *y);
 		dx = w*(i - *x - bicubic_value(&at, s->du));
@@ -141,42 +145,95 @@ mean_beltrami(const Grid *a, double *mu)
 	return stats_mean((size_t)(a->g.nu - 2)*(a->g.nv - 2), mu);
 }
 
-static void
-swap(Grid *a, Grid *b)
-{
-	Grid c = *a;
+/* A grid and the points that go with it. */
+typedef struct State {
+	Grid    grid;
+	int     n;
+	double *pu, *pv;
+	double  mean;           /* modulus of the Beltrami coefficient */
+} State;
 
-	*a = *b;
-	*b = c;
+static int
+state_alloc(State *s, Chart g, int n)
+{
+	*s = (State){ .n = n };
+	s->pu = malloc(2*(size_t)n*sizeof *s->pu + 1);
+	s->pv = s->pu + n;
+	return s->pu && !grid_alloc(&s->grid, g) ? 0 : POLISH_ENOMEM;
+}
+
+static void
+state_free(State *s)
+{
+	grid_free(&s->grid);
+	free(s->pu);
+}
+
+static void
+state_copy(const State *from, State *to)
+{
+	size_t n = (size_t)from->grid.g.nu*from->grid.g.nv;
+
+	to->grid.g = from->grid.g;
+	to->mean = from->mean;
+	memcpy(to->grid.x, from->grid.x, 5*n*sizeof(double));
+	memcpy(to->pu, from->pu, from->n*sizeof(double));
+	memcpy(to->pv, from->pv, from->n*sizeof(double));
+}
+
+/* From a by one round to b; mu is room for the inner nodes. */
+static int
+advance(const Sampler *sampler, const State *a, State *b, Shift *shift, double *mu)
+{
+	int e = find_shift(&a->grid, shift);
+
+	if (e)
+		return e;
+	memcpy(b->pu, a->pu, a->n*sizeof(double));
+	memcpy(b->pv, a->pv, a->n*sizeof(double));
+	resample(sampler, &a->grid, shift, &b->grid);
+	carry(a->grid.g, shift, b->n, b->pu, b->pv);
+	b->mean = mean_beltrami(&b->grid, mu);
+	return 0;
+}
+
+/* best is the start on entry. */
+static int
+iterate(const Sampler *sampler, State *best, State work[2], int rounds, Shift *shift, double *mu, int *done)
+{
+	int k, e, idle = 0;
+
+	best->mean = mean_beltrami(&best->grid, mu);
+	state_copy(best, &work[0]);
+	for (k = 0; k < rounds && idle < (best->mean > FOLDED ? 2 : 1); k++) {
+		e = advance(sampler, &work[k%2], &work[(k+1)%2], shift, mu);
+		if (e)
+			return e;
+		idle = work[(k+1)%2].mean < WORTH*best->mean ? 0 : idle + 1;
+		if (!(work[(k+1)%2].mean < best->mean))
+			continue;
+		state_copy(&work[(k+1)%2], best);
+		*done = k + 1;
+	}
+	return 0;
 }
 
 int
 polish(const Sampler *sampler, Grid *a, int rounds, int n, double *pu, double *pv, int *done)
 {
 	size_t nodes = (size_t)a->g.nu*a->g.nv;
-	double *work = malloc(3*nodes*sizeof *work), *mu = work + 2*nodes, before, after;
-	Shift s = { work, work + nodes, 0 };
-	Grid b = { .x = NULL };
-	int e = work && !grid_alloc(&b, a->g) ? 0 : POLISH_ENOMEM;
+	double *room = malloc(3*nodes*sizeof *room);
+	Shift shift = { room, room + nodes, 0 };
+	State best = { *a, n, pu, pv, 0 }, work[2];
+	int e = state_alloc(&work[0], a->g, n), e1 = state_alloc(&work[1], a->g, n);
 
 	*done = 0;
-	after = e ? 0 : mean_beltrami(a, mu);
-	while (!e && *done < rounds) {
-		before = after;
-		e = find_shift(a, &s);
-		if (e)
-			break;
-		resample(sampler, a, &s, &b);
-		after = mean_beltrami(&b, mu);
-		if (!(after < before))
-			break;
-		carry(a->g, &s, n, pu, pv);
-		swap(a, &b);
-		++*done;
-		if (!(after < WORTH*before))
-			break;
-	}
-	free(work);
-	grid_free(&b);
+	e = e || e1 || !room ? POLISH_ENOMEM : 0;
+	if (!e && rounds > 0)
+		e = iterate(sampler, &best, work, rounds, &shift, room + 2*nodes, done);
+	*a = best.grid;
+	state_free(&work[0]);
+	state_free(&work[1]);
+	free(room);
 	return e ? POLISH_ENOMEM : 0;
 }

@@ -25,15 +25,15 @@ typedef struct Grid {
 int  grid_init(Grid *a, Chart g, const Sampler *s);
 void grid_free(Grid *a);
 
-/* At most so many rounds; each is kept only if it takes the mean modulus of the Beltrami
- * coefficient over the inner nodes down, and after one that takes less than 3 % off it
- * ends.
+/* At most so many rounds, fewer when one takes less than 15 % off the mean modulus of the
+ * Beltrami coefficient over the inner nodes (two in a row where that mean is large); what
+ * is kept is the round that has the least.
  *
  * a        in/out
  * pu, pv   in/out  [n] points carried along, in the chart of a
- * done     out     rounds kept
+ * done     out     rounds that led to what is kept
  *
- * Returns 0 or POLISH_ENOMEM; a is then as after the last round kept. */
+ * Returns 0 or POLISH_ENOMEM; a is then some grid that is no worse than it was. */
 int polish(const Sampler *s, Grid *a, int rounds, int n, double *pu, double *pv, int *done);
 
 #endif

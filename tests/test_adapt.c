@@ -95,7 +95,7 @@ modulus_to_1e_4(void **state)
 		Disk d;
 
 		synth_disk(kind[i], 20000, &s, &dom, &d, NULL);
-		assert_int_equal(adapt_map(&d, vertex, &(AdaptOptions){ 1, 1e-3, 100000 }, &a, &report), 0);
+		assert_int_equal(adapt_map(&d, vertex, &(AdaptOptions){ 1e-3, 1, 100000 }, &a, &report), 0);
 		assert_true(a.certificate > -1e-12 && a.certificate <= 1e-3);
 		assert_true(fabs(a.T/dom.T - 1) < 1e-4);
 		adapt_free(&a);
@@ -115,10 +115,10 @@ stops_at_the_limit(void **state)
 
 	(void)state;
 	synth_disk("cortex", 500, &s, &dom, &d, NULL);
-	assert_int_equal(adapt_map(&d, vertex, &(AdaptOptions){ 0, 1e-9, 3000 }, &a, &report), 0);
+	assert_int_equal(adapt_map(&d, vertex, &(AdaptOptions){ 1e-9, 0, 3000 }, &a, &report), 0);
 	assert_true(a.certificate > 1e-9 && a.rounds > 0 && a.d.m.nv < 12000);
 	adapt_free(&a);
-	assert_int_equal(adapt_map(&d, vertex, &(AdaptOptions){ 2, 1e-9, 0 }, &a, &report), 0);
+	assert_int_equal(adapt_map(&d, vertex, &(AdaptOptions){ 1e-9, 2, 0 }, &a, &report), 0);
 	assert_int_equal(a.rounds, 0);
 	assert_int_equal(a.d.m.nv, d.m.nv);
 	adapt_free(&a);
