@@ -170,6 +170,15 @@ state_free(State *s)
 }
 
 static void
+copy_points(int n, const double *pu, const double *pv, State *to)
+{
+	if (n == 0)
+		return;
+	memcpy(to->pu, pu, n*sizeof *pu);
+	memcpy(to->pv, pv, n*sizeof *pv);
+}
+
+static void
 state_copy(const State *from, State *to)
 {
 	size_t n = (size_t)from->grid.g.nu*from->grid.g.nv;
@@ -177,8 +186,7 @@ state_copy(const State *from, State *to)
 	to->grid.g = from->grid.g;
 	to->mean = from->mean;
 	memcpy(to->grid.x, from->grid.x, 5*n*sizeof(double));
-	memcpy(to->pu, from->pu, from->n*sizeof(double));
-	memcpy(to->pv, from->pv, from->n*sizeof(double));
+	copy_points(from->n, from->pu, from->pv, to);
 }
 
 /* From a by one round to b; mu is room for the inner nodes. */
@@ -189,8 +197,7 @@ advance(const Sampler *sampler, const State *a, State *b, Shift *shift, double *
 
 	if (e)
 		return e;
-	memcpy(b->pu, a->pu, a->n*sizeof(double));
-	memcpy(b->pv, a->pv, a->n*sizeof(double));
+	copy_points(a->n, a->pu, a->pv, b);
 	resample(sampler, &a->grid, shift, &b->grid);
 	carry(a->grid.g, shift, b->n, b->pu, b->pv);
 	b->mean = mean_beltrami(&b->grid, mu);

@@ -30,7 +30,7 @@ void grid_free(Grid *a);
  * is kept is the round that has the least.
  *
  * a        in/out
- * pu, pv   in/out  [n] points carried along, in the chart of a
+ * pu, pv   in/out  [n] points carried along, in the chart of a; n may be 0
  * done     out     rounds that led to what is kept
  *
  * Returns 0 or POLISH_ENOMEM; a is then some grid that is no worse than it was. */

@@ -86,12 +86,12 @@ split_some_is_conforming(void **state)
 	double angle;
 
 	(void)state;
-	synth_disk("tooth", 200, &s, &dom, &d, NULL);
+	synth_disk("cap", 200, &s, &dom, &d, NULL);
 	angle = least_angle(&d.m);
 	for (round = 0; round < 6; round++) {
 		marked = calloc(d.m.nf, 1);
 		for (f = 0; f < d.m.nf; f++)
-			marked[f] = noise(&seed) > 0.9;
+			marked[f] = noise(&seed) > 0.7;
 		assert_int_equal(refine_split(&d, marked, &finer), 0);
 		check_finer(&d, &finer);
 		free(marked);

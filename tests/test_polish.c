@@ -183,6 +183,44 @@ polish_finds_the_conformal_map(void **state)
 	disk_free(&d);
 }
 
+/* However many rounds, the grid is never left less conformal than it was. */
+static void
+polish_never_harms(void **state)
+{
+	static const char *const kind[] = { "mercator", "catenoid", "cap", "enneper" };
+	Synth s;
+	SynthDomain dom;
+	Disk d;
+	Sampler sampler;
+	Grid a;
+	Chart g = { 33, 25, 0 };
+	double *xy, *u, *v, before;
+	int i, done, rounds;
+	size_t k;
+
+	(void)state;
+	for (k = 0; k < sizeof kind/sizeof *kind; k++) {
+		synth_disk(kind[k], 300, &s, &dom, &d, &xy);
+		u = malloc(d.m.nv*sizeof *u), v = malloc(d.m.nv*sizeof *v);
+		g.T = (dom.y1 - dom.y0)/(dom.x1 - dom.x0);
+		for (i = 0; i < d.m.nv; i++) {
+			u[i] = (xy[2*i] - dom.x0)/(dom.x1 - dom.x0);
+			v[i] = (xy[2*i+1] - dom.y0)/(dom.x1 - dom.x0);
+		}
+		assert_int_equal(sampler_init(&sampler, &d.m, u, v, g.T, SAMPLER_FACETS), 0);
+		for (rounds = 1; rounds < 9; rounds++) {
+			assert_int_equal(grid_init(&a, g, &sampler), 0);
+			before = mean_mu(&a);
+			assert_int_equal(polish(&sampler, &a, rounds, 0, NULL, NULL, &done), 0);
+			assert_true(mean_mu(&a) <= before && done <= rounds);
+			grid_free(&a);
+		}
+		sampler_free(&sampler);
+		free(xy), free(u), free(v);
+		disk_free(&d);
+	}
+}
+
 int
 main(void)
 {
@@ -190,6 +228,7 @@ main(void)
 		cmocka_unit_test(laplace_is_its_own_adjoint),
 		cmocka_unit_test(harmonic_functions_of_known_surfaces),
 		cmocka_unit_test(points_are_located),
+		cmocka_unit_test(polish_never_harms),
 		cmocka_unit_test(polish_finds_the_conformal_map),
 	};
 
