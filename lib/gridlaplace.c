@@ -3,9 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <fftw3.h>
-
 #include "gridlaplace.h"
+#include "planelaplace.h"
 #include "vec3.h"
 
 enum { MOST_STEPS = 200 };
@@ -160,105 +159,6 @@ gridlaplace_apply(const GridLaplace *l, const double *x, double *y)
 	}
 }
 
-/* ---- the preconditioner ---------------------------------------------- */
-
-/* The plane Laplacian of bilinear elements on the free nodes: i0 .. i0+n[0]-1 along u and
- * j0 .. j0+n[1]-1 along v, sines where the ends are held and cosines where they are free.
- * stiff and mass are the eigenvalues of the one-dimensional matrices. */
-typedef struct Plane {
-	Chart     g;
-	int       axis, i0, j0, n[2];
-	double   *work, *stiff[2], *mass[2];
-	fftw_plan plan;
-} Plane;
-
-static int
-eigenvalues(Plane *p, int axis, double step, int cells)
-{
-	int k, sines = axis == p->axis;
-	double t;
-
-	p->stiff[axis] = malloc(p->n[axis]*sizeof(double));
-	p->mass[axis] = malloc(p->n[axis]*sizeof(double));
-	if (!p->stiff[axis] || !p->mass[axis])
-		return GRIDLAPLACE_ENOMEM;
-	for (k = 0; k < p->n[axis]; k++) {
-		t = M_PI*(k + sines)/cells;
-		p->stiff[axis][k] = (2 - 2*cos(t))/step;
-		p->mass[axis][k] = (4 + 2*cos(t))*step/6;
-	}
-	return 0;
-}
-
-static void
-plane_free(Plane *p)
-{
-	int a;
-
-	if (p->plan)
-		fftw_destroy_plan(p->plan);
-	free(p->work);
-	for (a = 0; a < 2; a++) {
-		free(p->stiff[a]);
-		free(p->mass[a]);
-	}
-}
-
-static int
-plane_init(Plane *p, Chart g, int axis)
-{
-	size_t bytes;
-	int e;
-
-	*p = (Plane){ .g = g, .axis = axis, .i0 = axis == 0, .j0 = axis == 1 };
-	p->n[0] = g.nu - 2*p->i0;
-	p->n[1] = g.nv - 2*p->j0;
-	bytes = (size_t)p->n[0]*p->n[1]*sizeof(double);
-	p->work = aligned_alloc(64, (bytes + 63)/64*64);
-	e = p->work ? eigenvalues(p, 0, chart_h(g), g.nu - 1) : GRIDLAPLACE_ENOMEM;
-	if (!e)
-		e = eigenvalues(p, 1, chart_k(g), g.nv - 1);
-	if (!e)
-		p->plan = fftw_plan_r2r_2d(p->n[1], p->n[0], p->work, p->work,
-		    axis == 1 ? FFTW_RODFT00 : FFTW_REDFT00,
-		    axis == 0 ? FFTW_RODFT00 : FFTW_REDFT00, FFTW_ESTIMATE);
-	if (!e && !p->plan)
-		e = GRIDLAPLACE_ENOMEM;
-	if (e)
-		plane_free(p);
-	return e;
-}
-
-/* z = P^-1 r on the free nodes, 0 elsewhere.  With the basis B of sines and cosines and
- * the weights W (1/2 at free ends) that make it orthogonal, P = W B Lambda B^-1 W.. so that
- * z = B Lambda^-1 B' r up to the norms; FFTW's transforms want r/2, at free ends r. */
-static void
-precondition(const Plane *p, const double *r, double *z)
-{
-	double norm = (p->g.nu - 1.0)*(p->g.nv - 1.0);
-	int i, j, nu = p->n[0], nv = p->n[1];
-	size_t q, node;
-
-	for (q = 0, j = 0; j < nv; j++)
-		for (i = 0; i < nu; i++, q++) {
-			node = (size_t)(j + p->j0)*p->g.nu + i + p->i0;
-			p->work[q] = r[node]/4;
-			if (p->axis == 1 && (i == 0 || i == nu - 1))
-				p->work[q] *= 2;
-			if (p->axis == 0 && (j == 0 || j == nv - 1))
-				p->work[q] *= 2;
-		}
-	fftw_execute(p->plan);
-	for (q = 0, j = 0; j < nv; j++)
-		for (i = 0; i < nu; i++, q++)
-			p->work[q] /= norm*(p->stiff[0][i]*p->mass[1][j] + p->mass[0][i]*p->stiff[1][j]);
-	fftw_execute(p->plan);
-	memset(z, 0, (size_t)p->g.nu*p->g.nv*sizeof *z);
-	for (q = 0, j = 0; j < nv; j++)
-		for (i = 0; i < nu; i++, q++)
-			z[(size_t)(j + p->j0)*p->g.nu + i + p->i0] = p->work[q];
-}
-
 /* ---- conjugate gradients --------------------------------------------- */
 
 static double
@@ -284,7 +184,7 @@ add(size_t n, double a, const double *x, double *y)
 
 /* f holds its boundary values; work is four fields. */
 static void
-conjugate_gradients(const GridLaplace *l, const Plane *plane, double *f, double *work)
+conjugate_gradients(const GridLaplace *l, const PlaneLaplace *plane, double *f, double *work)
 {
 	size_t n = (size_t)l->g.nu*l->g.nv, q;
 	double *r = work, *z = r + n, *d = z + n, *Kd = d + n, rz, stop, old, a;
@@ -293,7 +193,7 @@ conjugate_gradients(const GridLaplace *l, const Plane *plane, double *f, double 
 	gridlaplace_apply(l, f, r);
 	for (q = 0; q < n; q++)
 		r[q] = -r[q];
-	precondition(plane, r, z);      /* 0 at held nodes, so d never moves them */
+	planelaplace_solve(plane, r, z);      /* 0 at held nodes, so d never moves them */
 	memcpy(d, z, n*sizeof *d);
 	rz = dot(n, r, z);
 	stop = REDUCTION*REDUCTION*rz;
@@ -302,7 +202,7 @@ conjugate_gradients(const GridLaplace *l, const Plane *plane, double *f, double 
 		a = rz/dot(n, d, Kd);
 		add(n, a, d, f);
 		add(n, -a, Kd, r);
-		precondition(plane, r, z);
+		planelaplace_solve(plane, r, z);
 		old = rz;
 		rz = dot(n, r, z);
 		for (q = 0; q < n; q++)
@@ -315,8 +215,8 @@ gridlaplace_harmonic(const GridLaplace *l, int axis, double *f, double *energy)
 {
 	size_t n = (size_t)l->g.nu*l->g.nv, p;
 	double *work = malloc(4*n*sizeof *work);
-	Plane plane;
-	int e = work ? plane_init(&plane, l->g, axis) : GRIDLAPLACE_ENOMEM;
+	PlaneLaplace plane;
+	int e = work ? planelaplace_init(&plane, l->g, axis) : GRIDLAPLACE_ENOMEM;
 
 	if (!e) {
 		for (p = 0; p < n; p++)
@@ -324,7 +224,7 @@ gridlaplace_harmonic(const GridLaplace *l, int axis, double *f, double *energy)
 		conjugate_gradients(l, &plane, f, work);
 		gridlaplace_apply(l, f, work);
 		*energy = dot(n, f, work);
-		plane_free(&plane);
+		planelaplace_free(&plane);
 	}
 	free(work);
 	return e;

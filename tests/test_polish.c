@@ -5,6 +5,7 @@
 
 #include "../lib/gridlaplace.h"
 #include "../lib/lambdah.h"
+#include "../lib/planelaplace.h"
 #include "../lib/polish.h"
 #include "../lib/stats.h"
 #include "surfaces.h"
@@ -49,6 +50,34 @@ laplace_is_its_own_adjoint(void **state)
 	for (p = 0; p < N; p++)
 		sum += Kx[p];
 	assert_true(fabs(sum) < 1e-10*dot(x, Kx));
+	gridlaplace_free(&l);
+}
+
+/* On a conformal plane the matrix is the plane's own, and the transforms invert it. */
+static void
+transforms_invert_the_plane(void **state)
+{
+	static double r[N], z[N], Kz[N];
+	unsigned long long seed = 11;
+	PlaneLaplace q;
+	GridLaplace l;
+	int axis, p, held;
+
+	(void)state;
+	sample_immersion(plane, CHART, 2, (double **)phi, NULL, NULL);
+	assert_int_equal(gridlaplace_init(&l, CHART, phi), 0);
+	for (axis = 0; axis < 2; axis++) {
+		for (p = 0; p < N; p++)
+			r[p] = noise(&seed);
+		assert_int_equal(planelaplace_init(&q, CHART, axis), 0);
+		planelaplace_solve(&q, r, z);
+		gridlaplace_apply(&l, z, Kz);
+		for (p = 0; p < N; p++) {
+			held = axis == 0 ? p%41 == 0 || p%41 == 40 : p/41 == 0 || p/41 == 28;
+			assert_true(held ? z[p] == 0 : fabs(Kz[p] - r[p]) < 1e-10);
+		}
+		planelaplace_free(&q);
+	}
 	gridlaplace_free(&l);
 }
 
@@ -226,6 +255,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(laplace_is_its_own_adjoint),
+		cmocka_unit_test(transforms_invert_the_plane),
 		cmocka_unit_test(harmonic_functions_of_known_surfaces),
 		cmocka_unit_test(points_are_located),
 		cmocka_unit_test(polish_never_harms),
