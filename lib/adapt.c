@@ -110,15 +110,23 @@ split(AdaptMap *m, int all, int most)
 	return 0;
 }
 
-/* d's own arrays: nothing of d is shared. */
+static void *
+duplicate(const void *p, size_t bytes)
+{
+	void *q = malloc(bytes);
+
+	return q ? memcpy(q, p, bytes) : NULL;
+}
+
+/* The mesh and the loop of d, nothing shared. */
 static int
 copy_disk(const Disk *d, Disk *copy)
 {
-	unsigned char *none = calloc(d->m.nf, 1);
-	int e = none ? refine_split(d, none, copy) : MESH_ENOMEM;
-
-	free(none);
-	return e ? SPD_ENOMEM : 0;
+	*copy = (Disk){ .m = { .nv = d->m.nv, .nf = d->m.nf }, .nb = d->nb };
+	copy->m.xyz = duplicate(d->m.xyz, 3*(size_t)d->m.nv*sizeof(double));
+	copy->m.tri = duplicate(d->m.tri, 3*(size_t)d->m.nf*sizeof(int));
+	copy->loop = duplicate(d->loop, d->nb*sizeof(int));
+	return copy->m.xyz && copy->m.tri && copy->loop ? 0 : SPD_ENOMEM;
 }
 
 int

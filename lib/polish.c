@@ -10,6 +10,7 @@
 #include "stats.h"
 
 static const double WORTH = 0.85;       /* a round that leaves more has gained nothing */
+static const double ENOUGH = 2e-4;      /* mean below which no round is worth its time */
 static const double FOLDED = 2e-3;      /* mean above which a second one without gain is let pass: from
                                          * a start with folds the way may go uphill */
 
@@ -212,7 +213,7 @@ iterate(const Sampler *sampler, State *best, State work[2], int rounds, Shift *s
 
 	best->mean = mean_beltrami(&best->grid, mu);
 	state_copy(best, &work[0]);
-	for (k = 0; k < rounds && idle < (best->mean > FOLDED ? 2 : 1); k++) {
+	for (k = 0; k < rounds && best->mean > ENOUGH && idle < (best->mean > FOLDED ? 2 : 1); k++) {
 		e = advance(sampler, &work[k%2], &work[(k+1)%2], shift, mu);
 		if (e)
 			return e;

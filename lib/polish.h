@@ -26,7 +26,7 @@ int  grid_init(Grid *a, Chart g, const Sampler *s);
 void grid_free(Grid *a);
 
 /* At most so many rounds, fewer when one takes less than 15 % off the mean modulus of the
- * Beltrami coefficient over the inner nodes (two in a row where that mean is large); what
+ * Beltrami coefficient over the inner nodes (two in a row where that mean is large) or that mean is below 2e-4; what
  * is kept is the round that has the least.
  *
  * a        in/out
