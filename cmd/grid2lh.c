@@ -19,7 +19,8 @@ static const char text[] =
 "      --no-lattice   write no start\n"
 CMD_USAGE
 "H is -1 on the unit sphere whose normal, x_u cross x_v, points out.  On the outermost\n"
-"ring lambda and H go on from the rings within.  Under -v: median, mean and maximum of\n"
+"ring lambda and H go on from the rings within; near the corners |H| is at most four times\n"
+"its root mean square.  Under -v: median, mean and maximum of\n"
 "the residual Beltrami coefficient over the inner nodes, 0 where the grid is conformal.\n";
 
 static const struct option longopt[] = {

@@ -90,6 +90,39 @@ extend(int n, int first, int stride, int in, double *lambda, double *H)
 	}
 }
 
+/* Whether node p is within CORNER nodes of a corner, counted along both directions. */
+enum { CORNER = 8 };
+
+static int
+in_corner(Chart g, int p)
+{
+	int i = p%g.nu, j = p/g.nu;
+
+	return (i < CORNER || i >= g.nu - CORNER) && (j < CORNER || j >= g.nv - CORNER);
+}
+
+/* |H| near a corner held to four times the root mean square of H elsewhere: where the
+ * boundary of the mesh is smooth there, lambda goes to 0 and H, of a few nodes, to 10^3
+ * times the rest, which turns its whole spectrum white. */
+static void
+limit_corners(Chart g, double *H)
+{
+	int p, n = g.nu*g.nv, count = 0;
+	double sum = 0, most;
+
+	if (g.nu <= 3*CORNER || g.nv <= 3*CORNER)
+		return;
+	for (p = 0; p < n; p++)
+		if (!in_corner(g, p)) {
+			sum += H[p]*H[p];
+			count++;
+		}
+	most = 4*sqrt(sum/count);
+	for (p = 0; p < n; p++)
+		if (in_corner(g, p))
+			H[p] = clamp(H[p], -most, most);
+}
+
 int
 lambdah(Chart g, const double *const phi[3], int curvature, double *lambda, double *H)
 {
@@ -103,6 +136,7 @@ lambdah(Chart g, const double *const phi[3], int curvature, double *lambda, doub
 	extend(g.nv - 2, 2*g.nu - 1, g.nu, -1, lambda, H);
 	extend(g.nu, 0, 1, g.nu, lambda, H);
 	extend(g.nu, (g.nv - 1)*g.nu, 1, -g.nu, lambda, H);
+	limit_corners(g, H);
 	return raised;
 }
 

@@ -21,7 +21,8 @@ enum {
  * the map: H goes on linearly and lambda geometrically from the two rings within, the
  * step of lambda held between 1/2 and 2 and that of H to the size of the inner value.
  *
- * lambda is at least 1e-4 of its root mean square; H is 0 where phi has no tangent
+ * Within eight nodes of a corner (of grids larger than 24 nodes) |H| is held to four times
+ * its root mean square elsewhere.  lambda is at least 1e-4 of its root mean square; H is 0 where phi has no tangent
  * plane.  phi, lambda and H are [nv][nu].  Returns the number of inner nodes where
  * lambda was raised or H set so. */
 int lambdah(Chart g, const double *const phi[3], int curvature, double *lambda, double *H);

@@ -44,6 +44,20 @@ setup_file() {
 	below "$(awk -v t="$T" 'BEGIN { d = t - 0.7; print d < 0 ? -d : d }')" 1e-9
 }
 
+@test "corners on a smooth boundary do not spoil H" {
+	local file
+	for file in "$tmp/cap.off" "$tmp/face.off"; do
+		mesh2rect -n 128 "$file" | grid2lh -o "$tmp/lh"
+		/usr/bin/python3 - "$tmp/lh" <<-'END'
+			import sys
+			sys.path.insert(0, 'scripts')
+			import lhg
+			H = next(iter(lhg.read(sys.argv[1])))['H']
+			assert abs(H).max() < 20*(H[8:-8, 8:-8]**2).mean()**0.5, abs(H).max()
+		END
+	done
+}
+
 @test "t = 0 and t = 1 are the ends of a morph, to the last bit" {
 	lhinterp -t 0 "$tmp/cap.lh" "$tmp/torus.lh" >"$tmp/zero"
 	lhinterp -t 1 "$tmp/cap.lh" "$tmp/torus.lh" >"$tmp/one"
