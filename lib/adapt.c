@@ -8,6 +8,7 @@
 #include "refine.h"
 #include "vec3.h"
 
+enum { GRADED = 3 };                    /* times the faces at the corners are split at once */
 static const double SHARE = 0.7;        /* of the certificate: what the split faces hold */
 
 /* What triangle t adds to T certificate: with a, b its sides at corner 0, g their Gram
@@ -87,27 +88,53 @@ solve(AdaptMap *m, const int vertex[4], SpdReport *report)
 	return rectmap(&m->d, m->corner, m->u, m->v, &m->T, &m->certificate, report);
 }
 
-/* Into four: all faces, or the marked ones. */
+/* The marked faces into four; frees marked. */
+static int
+replace(AdaptMap *m, unsigned char *marked)
+{
+	Disk finer;
+	int e = refine_split(&m->d, marked, &finer);
+
+	free(marked);
+	if (e)
+		return SPD_ENOMEM;
+	disk_free(&m->d);
+	m->d = finer;
+	m->rounds++;
+	return 0;
+}
+
+/* Into four: all faces, or at most so many of those that the certificate asks for. */
 static int
 split(AdaptMap *m, int all, int most)
 {
 	unsigned char *marked = malloc(m->d.m.nf);
-	Disk finer;
 	int e = marked ? 0 : SPD_ENOMEM;
 
 	if (!e && all)
 		memset(marked, 1, m->d.m.nf);
 	else if (!e)
 		e = mark(m, most, marked);
-	if (!e && refine_split(&m->d, marked, &finer))
-		e = SPD_ENOMEM;
-	free(marked);
-	if (e)
+	if (e) {
+		free(marked);
 		return e;
-	disk_free(&m->d);
-	m->d = finer;
-	m->rounds++;
-	return 0;
+	}
+	return replace(m, marked);
+}
+
+/* The faces at the corners into four: where the boundary is smooth the map is singular
+ * there, the certificate would ask for it, and a solve is saved. */
+static int
+split_corners(AdaptMap *m, const int vertex[4])
+{
+	unsigned char *marked = calloc(m->d.m.nf, 1);
+	int i, k, e = marked ? 0 : SPD_ENOMEM;
+
+	for (i = 0; !e && i < 3*m->d.m.nf; i++)
+		for (k = 0; k < 4; k++)
+			if (m->d.m.tri[i] == vertex[k])
+				marked[i/3] = 1;
+	return e ? e : replace(m, marked);
 }
 
 static void *
@@ -136,6 +163,8 @@ adapt_map(const Disk *d, const int vertex[4], const AdaptOptions *o, AdaptMap *a
 
 	memset(a, 0, sizeof *a);
 	e = copy_disk(d, &a->d);
+	for (k = 0; !e && k < GRADED && o->tolerance < 1 && a->d.m.nv < o->most; k++)
+		e = split_corners(a, vertex);
 	if (!e)
 		e = solve(a, vertex, report);
 	while (!e && a->certificate > o->tolerance && a->d.m.nv < o->most) {
