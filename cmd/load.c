@@ -26,12 +26,3 @@ load_both(const char *path, Soup *s, Disk *d)
 	if (d->note[0])
 		note("%s: %s", cmd_name_of(path), d->note);
 }
-
-void
-load_disk(const char *path, Disk *d)
-{
-	Soup s;
-
-	load_both(path, &s, d);
-	soup_free(&s);
-}

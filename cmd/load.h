@@ -7,10 +7,7 @@
 /* The polygons of a mesh file ("-" or NULL: stdin), or die with the reason. */
 void load_soup(const char *path, Soup *s);
 
-/* The same as a disk, or die; what was repaired is noted. */
-void load_disk(const char *path, Disk *d);
-
-/* The same, and the polygons it was made from. */
+/* The same and the disk made from it, or die; what was repaired is noted. */
 void load_both(const char *path, Soup *s, Disk *d);
 
 #endif

@@ -4,7 +4,7 @@ set -eu
 out=${1:-build/demo}
 mkdir -p "$out"
 
-# A face of 6000 vertices, with pores and wrinkles.
+# A synthetic face of about 6000 vertices.
 mkmesh -n 6000 face -o "$out/face.off"
 
 # Map it onto a rectangle, take (lambda, H), drop what is below 2 percent of their

@@ -16,7 +16,8 @@
  * Splitting all of them at last makes (u,v) at the mesh's own vertices smooth: on the mesh
  * as given they err by O(h^2) each in its own way, which costs H its second order. */
 typedef struct AdaptOptions {
-	double tolerance;       /* split the facets with the largest terms until this is met.. */
+	double tolerance;       /* below 1: split the facets at the corners three times, then
+	                         * those with the largest terms until this is met.. */
 	int    split;           /* ..then every facet into four, so often.. */
 	int    most;            /* ..neither beyond about so many vertices */
 } AdaptOptions;
