@@ -1,12 +1,12 @@
 /* order.c - nested dissection of the graph of a surface; part.c says where to part.
  *
  * Measured on a torus patch: seconds of order (this one on two threads) + numeric factor,
- * M entries of the factor, gigaflops; two cores not idle otherwise:
+ * M entries of the factor, gigaflops; two cores not idle otherwise, factors by CHOLMOD:
  *
  *   vertices   AMD                    METIS (cholmod_metis)   this
  *   20 k       .01 + .04   .6  .06    .11 + .04   .6  .04     .04 + .03   .6  .05
- *   100 k      .06 + .30  4.5 1.0     .67 + .21  3.5  .48     .12 + .17  3.7  .52
- *   1 M        .9 + 6.5    66  45     6.8 + 2.6   46   17     1.4 + 3.0   50   20
+ *   100 k      .06 + .30  4.5 1.0     .67 + .21  3.5  .48     .12 + .17  3.8  .59
+ *   1 M        .9 + 6.5    66  45     6.8 + 2.6   46   17     1.4 + 3.0   50   21
  *
  * Below 20 k AMD wins hundredths of a second: not worth a second way.  METIS draws from
  * rand(), which is not ours to call.

@@ -19,8 +19,8 @@
 #include "vertexcut.h"
 
 enum {
-	BAND = 3,               /* edges that the band reaches on either side, or so */
-	AGAIN = 16,
+	BAND = 2,               /* edges that the band reaches on either side, or so */
+	AGAIN = 64,
 	SAMPLE = 4096           /* vertices that are enough to tell a level's place and worth */
 };
 

@@ -6,6 +6,7 @@
  */
 #include <string.h>
 
+#include "cpu.h"
 #include "polyfit.h"
 #include "vec3.h"
 
@@ -77,54 +78,93 @@ fill(const Hood *h, const Mesh *m, const double *u, const double *v, Polyfit *f)
 	}
 }
 
+/* Four columns of a row at once. */
+typedef double Four __attribute__((vector_size(32), aligned(8), may_alias));
+
 /* Sum of squares of column c from row r on. */
-static double
+INLINE double
 squares(const Polyfit *f, int c, int r)
 {
-	double sum = 0;
+	double even = 0, odd = 0;
 
-	for (; r < f->rows; r++)
-		sum += f->a[r][c]*f->a[r][c];
-	return sum;
+	for (; r + 1 < f->rows; r += 2) {
+		even += f->a[r][c]*f->a[r][c];
+		odd += f->a[r+1][c]*f->a[r+1][c];
+	}
+	return even + odd + (r < f->rows ? f->a[r][c]*f->a[r][c] : 0);
+}
+
+INLINE void
+all_squares(const Polyfit *f, double whole[POLYFIT_COLS])
+{
+	Four *sum = (Four *)whole;
+	int k, l;
+
+	memset(whole, 0, POLYFIT_COLS*sizeof *whole);
+	for (k = 0; k < f->rows; k++) {
+		const Four *row = (const Four *)f->a[k];
+
+		for (l = 0; l < POLYFIT_COLS/4; l++)
+			sum[l] += row[l]*row[l];
+	}
 }
 
 /* Reflects the rows from r on so that column c vanishes below row r; norm is its length
- * there. */
-static void
-reflect(Polyfit *f, int c, int r, double norm)
+ * there.  Columns before 4*four <= c are done with; four is a constant. */
+INLINE void
+reflect(Polyfit *f, int c, int r, double norm, int four)
 {
-	double alpha = -copysign(norm, f->a[r][c]), y[POLYFIT_COLS], w[POLYFIT_MOST], beta;
+	double alpha = -copysign(norm, f->a[r][c]), w[POLYFIT_MOST], beta;
+	Four y[POLYFIT_COLS/4], *row;
 	int k, l;
 
 	beta = 1/(norm*(norm + fabs(f->a[r][c])));
 	f->a[r][c] -= alpha;
-	memset(y, 0, sizeof y);
+#pragma GCC unroll 3
+	for (l = four; l < POLYFIT_COLS/4; l++)
+		y[l] = (Four){ 0 };
 	for (k = r; k < f->rows; k++) {
+		row = (Four *)f->a[k];
 		w[k] = f->a[k][c];
-		for (l = 0; l < POLYFIT_COLS; l++)
-			y[l] += w[k]*f->a[k][l];
+#pragma GCC unroll 3
+		for (l = four; l < POLYFIT_COLS/4; l++)
+			y[l] += w[k]*row[l];
 	}
-	for (k = r; k < f->rows; k++)
-		for (l = 0; l < POLYFIT_COLS; l++)
-			f->a[k][l] -= beta*w[k]*y[l];
+	for (k = r; k < f->rows; k++) {
+		row = (Four *)f->a[k];
+#pragma GCC unroll 3
+		for (l = four; l < POLYFIT_COLS/4; l++)
+			row[l] -= beta*w[k]*y[l];
+	}
 	f->a[r][c] = alpha;
 }
 
-static void
+INLINE void
 factor(Polyfit *f)
 {
-	double whole[POLYFIT_TERMS], rest;
+	double whole[POLYFIT_COLS], rest;
 	int c;
 
-	for (c = 0; c < POLYFIT_TERMS; c++)
-		whole[c] = squares(f, c, 0);
+	all_squares(f, whole);
 	for (f->rank = 0, c = 0; c < POLYFIT_TERMS; c++) {
 		rest = squares(f, c, f->rank);
 		if (!(rest > NEW*NEW*whole[c]))
 			continue;
-		reflect(f, c, f->rank, sqrt(rest));
+		if (c < 4)
+			reflect(f, c, f->rank, sqrt(rest), 0);
+		else if (c < 8)
+			reflect(f, c, f->rank, sqrt(rest), 1);
+		else
+			reflect(f, c, f->rank, sqrt(rest), 2);
 		f->term[f->rank++] = c;
 	}
+}
+
+/* The same bits. */
+TARGET("avx2") static void
+factor_256(Polyfit *f)
+{
+	factor(f);
 }
 
 void
@@ -132,7 +172,10 @@ polyfit(Polyfit *f, const Hood *h, const Mesh *m, const double *u, const double 
 {
 	whiten(h, u, v, f->to);
 	fill(h, m, u, v, f);
-	factor(f);
+	if (HAS("avx2"))
+		factor_256(f);
+	else
+		factor(f);
 }
 
 void

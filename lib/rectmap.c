@@ -4,156 +4,106 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "chol.h"
 #include "rectmap.h"
 
-enum { NUMBERS = 40 };  /* per vertex that the matrices and their order take, about */
+enum { NUMBERS = 40 };  /* per vertex that the matrix and its order take, about */
 
-/* One of the two systems, C_ff x_f = -C_fs x_s for the free vertices f and those on the
- * sides, s.  Free vertices are numbered in the order of their elimination. */
+/* C_ff x_f = -C_fs x_s for the free vertices f and those on the sides, s: what both
+ * systems share. */
 typedef struct Harmonic {
-	double    *x;           /* [nv] 0 at free vertices, until they are known */
-	int       *number;      /* [nv] of free vertices, -1 on the sides */
-	SpdColumns a;
-	double    *b;           /* [a.n] */
+	Cotangent C;
+	double   *diagonal;     /* [nv] */
+	Chol      chol;
 } Harmonic;
+
+static void
+release(Harmonic *h)
+{
+	chol_free(&h->chol);
+	cotangent_free(&h->C);
+	free(h->diagonal);
+}
+
+static int
+prepare(const Disk *d, Harmonic *h)
+{
+	int *order = malloc(d->m.nv*sizeof *order), i, k, e;
+
+	memset(h, 0, sizeof *h);
+	h->diagonal = calloc(d->m.nv, sizeof *h->diagonal);
+	e = !order || !h->diagonal || cotangent_init(&h->C, d) || order_graph(&h->C.g, order)
+	    || chol_init(&h->chol, &h->C.g, order) ? SPD_ENOMEM : 0;
+	for (i = 0; !e && i < d->m.nv; i++)
+		for (k = h->C.g.first[i]; k < h->C.g.first[i+1]; k++)
+			h->diagonal[i] -= h->C.c[k];
+	free(order);
+	return e;
+}
 
 /* Sets side vertices of the loop, from corner a to corner b, to a value. */
 static void
-hold(const Disk *d, int a, int b, double value, Harmonic *h)
+hold(const Disk *d, int a, int b, double value, double *x, unsigned char *held)
 {
 	int i;
 
 	for (i = a; ; i = (i + 1)%d->nb) {
-		h->x[d->loop[i]] = value;
-		h->number[d->loop[i]] = -1;
+		x[d->loop[i]] = value;
+		held[d->loop[i]] = 1;
 		if (i == b)
 			break;
 	}
 }
 
-/* Numbers the free vertices; returns how many entries their rows have at most below the
- * diagonal and on it: every edge once. */
-static size_t
-number_free(const Cotangent *C, const int *order, Harmonic *h)
-{
-	int k;
-
-	for (h->a.n = 0, k = 0; k < C->g.n; k++)
-		if (h->number[order[k]] >= 0)
-			h->number[order[k]] = h->a.n++;
-	return (size_t)C->g.first[C->g.n]/2 + h->a.n;
-}
-
-/* Column and right-hand side of free vertex i; returns where the next column starts. */
-static int
-column(const Cotangent *C, int i, Harmonic *h, int next)
-{
-	int k, j, p = h->number[i], diagonal = next++;
-	double sum = 0;
-
-	for (h->b[p] = 0, k = C->g.first[i]; k < C->g.first[i+1]; k++) {
-		j = C->g.adj[k];
-		sum -= C->c[k];
-		if (h->number[j] < 0)
-			h->b[p] -= C->c[k]*h->x[j];
-		else if (h->number[j] > p) {
-			h->a.row[next] = h->number[j];
-			h->a.value[next++] = C->c[k];
-		}
-	}
-	h->a.row[diagonal] = p;
-	h->a.value[diagonal] = sum;
-	return next;
-}
-
-static int
-assemble(const Cotangent *C, const int *order, Harmonic *h)
-{
-	size_t room = number_free(C, order, h);
-	int k, next = 0;
-
-	h->a.first = malloc((h->a.n + (size_t)1)*sizeof *h->a.first);
-	h->a.row = malloc(room*sizeof *h->a.row + 1);
-	h->a.value = malloc(room*sizeof *h->a.value + 1);
-	h->b = malloc(h->a.n*sizeof *h->b + 1);
-	if (!h->a.first || !h->a.row || !h->a.value || !h->b)
-		return SPD_ENOMEM;
-	for (k = 0; k < C->g.n; k++)
-		if (h->number[order[k]] >= 0) {
-			h->a.first[h->number[order[k]]] = next;
-			next = column(C, order[k], h, next);
-		}
-	h->a.first[h->a.n] = next;
-	return 0;
-}
-
+/* x of the free vertices becomes -C_fs x_s, from 0. */
 static void
-release(Harmonic *h)
+right_side(const Cotangent *C, const unsigned char *held, double *x)
 {
-	free(h->number);
-	free(h->a.first);
-	free(h->a.row);
-	free(h->a.value);
-	free(h->b);
+	int i, k;
+
+	for (i = 0; i < C->g.n; i++)
+		for (k = C->g.first[i]; held[i] && k < C->g.first[i+1]; k++)
+			if (!held[C->g.adj[k]])
+				x[C->g.adj[k]] -= C->c[k]*x[i];
 }
 
-/* Both systems, from the matrix and the order of its rows that they share. */
+/* x is 0 on the side that begins at corner k, 1 on the one opposite, and harmonic. */
 static int
-assemble_pair(const Disk *d, Harmonic h[2])
+solve(const Disk *d, const int corner[4], int k, Harmonic *h, double *x, SpdReport *report)
 {
-	int *order = malloc(d->m.nv*sizeof *order), e[2] = { SPD_ENOMEM, SPD_ENOMEM }, k;
-	Cotangent C;
+	unsigned char *held = calloc(d->m.nv, 1);
+	CholMatrix a = { h->diagonal, h->C.c, held };
+	int i, e;
 
-	if (!order || cotangent_init(&C, d)) {
-		free(order);
+	if (!held)
 		return SPD_ENOMEM;
-	}
-	if (order_graph(&C.g, order) == 0) {
-#pragma omp parallel for schedule(static, 1)
-		for (k = 0; k < 2; k++)
-			e[k] = assemble(&C, order, &h[k]);
-	}
-	cotangent_free(&C);
-	free(order);
-	return e[0] ? e[0] : e[1];
-}
-
-static int
-solve_pair(const Disk *d, Harmonic h[2], SpdReport *report)
-{
-	const SpdColumns a[2] = { h[0].a, h[1].a };
-	double *const b[2] = { h[0].b, h[1].b };
-	int i, k, e = spd_solve_pair(a, b, report);
-
-	for (k = 0; !e && k < 2; k++)
-		for (i = 0; i < d->m.nv; i++)
-			if (h[k].number[i] >= 0)
-				h[k].x[i] = b[k][h[k].number[i]];
-	return e;
+	memset(x, 0, d->m.nv*sizeof *x);
+	hold(d, corner[k], corner[(k+1)%4], 0, x, held);
+	hold(d, corner[(k+2)%4], corner[(k+3)%4], 1, x, held);
+	right_side(&h->C, held, x);
+	e = chol_solve(&h->chol, &a, x, &report->column);
+	for (i = 0; !e && i < d->m.nv; i++)
+		if (!isfinite(x[i])) {
+			report->column = i;
+			e = CHOL_EINDEFINITE;
+		}
+	free(held);
+	return e == CHOL_ENOMEM ? SPD_ENOMEM : e ? SPD_EINDEFINITE : 0;
 }
 
 /* u and v1. */
 static int
 harmonic_pair(const Disk *d, const int corner[4], double *u, double *v, SpdReport *report)
 {
-	Harmonic h[2] = { { .x = u }, { .x = v } };
-	int k, e = SPD_ENOMEM;
+	Harmonic h;
+	int e = prepare(d, &h);
 
-	for (k = 0; k < 2; k++) {
-		memset(h[k].x, 0, d->m.nv*sizeof *u);
-		h[k].number = calloc(d->m.nv, sizeof *h[k].number);
-	}
-	if (h[0].number && h[1].number) {
-		hold(d, corner[3], corner[0], 0, &h[0]);
-		hold(d, corner[1], corner[2], 1, &h[0]);
-		hold(d, corner[0], corner[1], 0, &h[1]);
-		hold(d, corner[2], corner[3], 1, &h[1]);
-		e = assemble_pair(d, h);
-	}
+	report->bytes = chol_bytes(&h.chol);
 	if (!e)
-		e = solve_pair(d, h, report);
-	release(&h[0]);
-	release(&h[1]);
+		e = solve(d, corner, 3, &h, u, report);
+	if (!e)
+		e = solve(d, corner, 0, &h, v, report);
+	release(&h);
 	return e;
 }
 

@@ -18,7 +18,7 @@
 /* d          the disk
  * corner     places in the boundary loop, as corners.h gives them
  * u, v       out  [nv] of each vertex, 0 <= v <= T on the sides
- * report     out  what CHOLMOD says on failure
+ * report     out  the bytes of the factor, 0 if not known; on SPD_EINDEFINITE the vertex
  *
  * The same bits for any number of threads; two work well.
  *

@@ -10,12 +10,6 @@
 
 #include "spd.h"
 
-/* Factors that may be in memory at the same time, bytes: two of a mesh of 400,000 vertices.
- * Larger ones are made one after the other, so that 1 M vertices fit in 1.2 GB; their
- * blocks are large enough to be worth two threads of the BLAS.  Two whatever the
- * machine and OMP_NUM_THREADS say: how the work is cut decides the last bits. */
-static const double PAIR = 400e6;
-
 int
 spd_init(Spd *a, int n, size_t room)
 {
@@ -110,13 +104,6 @@ analyze(Work *w, cholmod_sparse *A, int ordering, const int *order)
 	w->e = status(&w->c, w->L, &w->r);
 }
 
-/* What the factor will take. */
-static double
-bytes(const Work *w)
-{
-	return sizeof(double)*(w->L && w->L->is_super ? (double)w->L->xsize : w->c.lnz);
-}
-
 static void
 solve(Work *w, cholmod_sparse *A, int nrhs, double *B)
 {
@@ -141,19 +128,18 @@ solve(Work *w, cholmod_sparse *A, int nrhs, double *B)
 
 /* What is held still around CHOLMOD: the threads of OpenBLAS, for equal bits, and those
  * CHOLMOD itself starts for every block, four at a time, though most of their time goes to
- * waiting (factor of 1 M vertices, METIS order, 2 cores: 5.3 s with, 2.6 s without).
- * `active` nested parallel regions may have more than one thread. */
+ * waiting (factor of 1 M vertices, METIS order, 2 cores: 5.3 s with, 2.6 s without). */
 typedef struct Hold {
 	int blas, levels;
 } Hold;
 
 static Hold
-hold(int active)
+hold(void)
 {
 	Hold h = { openblas_get_num_threads(), omp_get_max_active_levels() };
 
 	openblas_set_num_threads(1);
-	omp_set_max_active_levels(omp_get_active_level() + active);
+	omp_set_max_active_levels(omp_get_active_level());
 	return h;
 }
 
@@ -167,7 +153,7 @@ release(Hold h)
 int
 spd_solve(Spd *a, const int *order, int nrhs, double *B, SpdReport *report)
 {
-	Hold h = hold(0);
+	Hold h = hold();
 	cholmod_sparse *A;
 	Work w;
 
@@ -184,46 +170,4 @@ spd_solve(Spd *a, const int *order, int nrhs, double *B, SpdReport *report)
 	if (report)
 		*report = w.r;
 	return w.e;
-}
-
-static cholmod_sparse
-view(const SpdColumns *a)
-{
-	cholmod_sparse A = { .nrow = a->n, .ncol = a->n, .nzmax = a->n ? a->first[a->n] : 0,
-	    .p = a->first, .i = a->row, .x = a->value, .stype = -1, .itype = CHOLMOD_INT,
-	    .xtype = CHOLMOD_REAL, .dtype = CHOLMOD_DOUBLE, .packed = 1 };
-
-	return A;
-}
-
-int
-spd_solve_pair(const SpdColumns a[2], double *const x[2], SpdReport *report)
-{
-	cholmod_sparse A[2] = { view(&a[0]), view(&a[1]) };
-	int k, two = omp_get_max_threads() > 1;
-	Hold h = hold(two);
-	Work w[2];
-
-#pragma omp parallel for num_threads(2) if(two) schedule(static, 1)
-	for (k = 0; k < 2; k++) {
-		start(&w[k]);
-		if (a[k].n > 0)
-			analyze(&w[k], &A[k], CHOLMOD_NATURAL, NULL);
-	}
-	if (bytes(&w[0]) + bytes(&w[1]) > PAIR) {
-		two = 0;
-		openblas_set_num_threads(2);
-	}
-	omp_set_max_active_levels(omp_get_active_level() + two);
-#pragma omp parallel for num_threads(2) if(two) schedule(static, 1)
-	for (k = 0; k < 2; k++)
-		if (a[k].n > 0)
-			solve(&w[k], &A[k], 1, x[k]);
-	cholmod_finish(&w[0].c);
-	cholmod_finish(&w[1].c);
-	release(h);
-	k = w[0].e ? 0 : 1;
-	if (report)
-		*report = w[k].r;
-	return w[k].e;
 }

@@ -45,19 +45,4 @@ spd_add(Spd *a, int i, int j, double x)
  * finite counts as SPD_EINDEFINITE. */
 int spd_solve(Spd *a, const int *order, int nrhs, double *B, SpdReport *report);
 
-/* A lower triangle by columns: entries of column j are first[j] .. first[j+1]-1, each
- * place once, in any order within the column. */
-typedef struct SpdColumns {
-	int     n;
-	int    *first, *row;
-	double *value;
-} SpdColumns;
-
-/* Solve two systems, each on a thread of its own if there are two and the factors are not
- * large; unknowns are eliminated in the order of their numbers, a fill-reducing one (or
- * one that is equivalent to it).  x[k] is the right-hand side
- * of a[k], and becomes its solution.  n may be 0.  a is only read.  Equal input gives equal
- * bits for any number of threads.  Returns as spd_solve, for the first that failed. */
-int spd_solve_pair(const SpdColumns a[2], double *const x[2], SpdReport *report);
-
 #endif

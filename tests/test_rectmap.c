@@ -359,8 +359,8 @@ rows_are_the_triangles(void **state)
 	unmap(&m);
 }
 
-/* One vertex moved onto its neighbour: angles that are not numbers, at sizes for
- * both ways that CHOLMOD has to factor. */
+/* One vertex moved onto its neighbour: angles that are not numbers, in a small mesh and
+ * in one of several subtrees. */
 static void
 degenerate_triangle_is_reported(void **state)
 {
