@@ -127,14 +127,23 @@ split(AdaptMap *m, int all, int most)
 static int
 split_corners(AdaptMap *m, const int vertex[4])
 {
-	unsigned char *marked = calloc(m->d.m.nf, 1);
-	int i, k, e = marked ? 0 : SPD_ENOMEM;
+	unsigned char *marked = malloc(m->d.m.nf), *corner = calloc(m->d.m.nv, 1);
+	int t, k;
 
-	for (i = 0; !e && i < 3*m->d.m.nf; i++)
-		for (k = 0; k < 4; k++)
-			if (m->d.m.tri[i] == vertex[k])
-				marked[i/3] = 1;
-	return e ? e : replace(m, marked);
+	if (!marked || !corner) {
+		free(marked);
+		free(corner);
+		return SPD_ENOMEM;
+	}
+	for (k = 0; k < 4; k++)
+		corner[vertex[k]] = 1;
+	for (t = 0; t < m->d.m.nf; t++) {
+		const int *c = &m->d.m.tri[3*t];
+
+		marked[t] = corner[c[0]] | corner[c[1]] | corner[c[2]];
+	}
+	free(corner);
+	return replace(m, marked);
 }
 
 static void *

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "polyfit.h"
+#include "topology.h"
 #include "vec3.h"
 
 enum {
@@ -12,27 +13,32 @@ enum {
 	                 * triangles must not cost its neighbours a million each */
 };
 
-/* The triangles at vertex i: face[first[i]] .. face[first[i+1]-1]. */
-typedef struct Star {
-	int *first, *face;
-} Star;
-
-static int
-star_init(Star *s, const Mesh *m)
+int
+stars_init(Stars *s, const Mesh *m)
 {
 	int i, k;
 
 	s->first = calloc((size_t)m->nv + 2, sizeof *s->first);
-	s->face = malloc((3*(size_t)m->nf + 1)*sizeof *s->face);
-	if (!s->first || !s->face)
+	s->side = malloc((3*(size_t)m->nf + 1)*sizeof *s->side);
+	if (!s->first || !s->side) {
+		stars_free(s);
 		return GRADIENT_ENOMEM;
+	}
 	for (k = 0; k < 3*m->nf; k++)
 		s->first[m->tri[k] + 2]++;
 	for (i = 0; i < m->nv; i++)
 		s->first[i + 2] += s->first[i + 1];
 	for (k = 0; k < 3*m->nf; k++)
-		s->face[s->first[m->tri[k] + 1]++] = k/3;
+		s->side[s->first[m->tri[k] + 1]++] = k;
 	return 0;
+}
+
+void
+stars_free(Stars *s)
+{
+	free(s->first);
+	free(s->side);
+	s->first = s->side = NULL;
 }
 
 static void
@@ -50,40 +56,44 @@ join(Hood *h, int v)
 }
 
 static void
-grow(const Mesh *m, const Star *s, Hood *h)
+grow(const Mesh *m, const Stars *s, Hood *h)
 {
-	int end = h->n, k, l, c;
+	int end = h->n, k, l, side;
 
 	for (k = h->ring; k < end; k++) {
 		int i = h->v[k], last = s->first[i + 1], step = 1 + (last - s->first[i] - 1)/FAN;
 
-		for (l = s->first[i]; l < last; l += step)
-			for (c = 0; c < 3; c++)
-				join(h, m->tri[3*s->face[l] + c]);
+		for (l = s->first[i]; l < last; l += step) {
+			side = topology_next(s->side[l]);
+			join(h, m->tri[side]);
+			join(h, m->tri[topology_next(side)]);
+		}
 	}
 	h->ring = end;
 }
 
+/* The square of the longest side. */
 static double
-longest_side(const Mesh *m, const int *tri)
+longest2(const Mesh *m, const int *tri)
 {
-	double d[3], most = 0;
+	double d[3], l, most = 0;
 	int k;
 
 	for (k = 0; k < 3; k++) {
 		sub3(&m->xyz[3*tri[k]], &m->xyz[3*tri[(k+1)%3]], d);
-		most = fmax(most, norm3(d));
+		l = dot3(d, d);
+		most = l > most ? l : most;
 	}
 	return most;
 }
 
 /* By how much the jet at i may be scaled to keep the limits along the side i j of a
- * triangle with longest side L: 1 if it keeps them as it is.  |s phi'(e) - d| is at most
- * s |phi'(e) - d| + (1 - s) |d|. */
+ * triangle with longest side L, L2 its square: 1 if it keeps them as it is.
+ * |s phi'(e) - d| is at most s |phi'(e) - d| + (1 - s) |d|. */
 static double
-room(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j, double L)
+room(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j, double L2)
 {
-	double du = u[j] - u[i], dv = v[j] - v[i], d[3], first[3], second[3], bend, turn, s = 1;
+	double du = u[j] - u[i], dv = v[j] - v[i], d[3], first[3], second[3], bend, turn, L, s = 1;
 	int c;
 
 	sub3(&m->xyz[3*j], &m->xyz[3*i], d);
@@ -91,6 +101,11 @@ room(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int
 		first[c] = jet->u[c]*du + jet->v[c]*dv - d[c];
 		second[c] = (jet->uu[c]*du*du + 2*jet->uv[c]*du*dv + jet->vv[c]*dv*dv)/8;
 	}
+	bend = dot3(first, first);
+	turn = dot3(second, second);
+	if (bend <= GRADIENT_BEND*GRADIENT_BEND*L2 && turn <= GRADIENT_BEND*GRADIENT_BEND*L2)
+		return 1;
+	L = sqrt(L2);
 	bend = norm3(first);
 	turn = norm3(second);
 	if (!isfinite(bend) || !isfinite(turn))
@@ -103,18 +118,18 @@ room(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int
 }
 
 static double
-least_room(const Mesh *m, const Star *s, const double *u, const double *v, const Jet *jet, int i)
+least_room(const Mesh *m, const Stars *s, const double *u, const double *v, const Jet *jet, int i)
 {
-	double least = 1, L;
+	double least = 1, L2;
 	int l, k;
 
 	for (l = s->first[i]; l < s->first[i + 1]; l++) {
-		const int *tri = &m->tri[3*s->face[l]];
+		const int *tri = &m->tri[s->side[l]/3*3];
 
-		L = longest_side(m, tri);
+		L2 = longest2(m, tri);
 		for (k = 0; k < 3; k++)
 			if (tri[k] != i)
-				least = fmin(least, room(m, u, v, jet, i, tri[k], L));
+				least = fmin(least, room(m, u, v, jet, i, tri[k], L2));
 	}
 	return least;
 }
@@ -135,7 +150,7 @@ scale(Jet *jet, double s)
 /* The jet at vertex i.  Returns 1 when a term is missing, 2 when it was limited, or the
  * sum. */
 static int
-vertex(const Mesh *m, const Star *s, const double *u, const double *v, int i, Jet *jet)
+vertex(const Mesh *m, const Stars *s, const double *u, const double *v, int i, Jet *jet)
 {
 	Hood h = { 0 };
 	double most = 0;
@@ -160,25 +175,37 @@ vertex(const Mesh *m, const Star *s, const double *u, const double *v, int i, Je
 	return (f.rank < POLYFIT_TERMS) + 2*(degree < 3);
 }
 
+void
+gradient_some(const Stars *s, const Mesh *m, const double *u, const double *v, unsigned char *want,
+	Jet *jet)
+{
+	int i;
+
+#pragma omp parallel for schedule(dynamic, 256)
+	for (i = 0; i < m->nv; i++)
+		if (want[i] == GRADIENT_WANTED) {
+			vertex(m, s, u, v, i, &jet[i]);
+			want[i] = GRADIENT_KNOWN;
+		}
+}
+
 int
 gradient_fit(const Mesh *m, const double *u, const double *v, Jet *jet, GradientReport *report)
 {
-	int i, low = 0, limited = 0, e;
-	Star s;
+	int i, low = 0, limited = 0;
+	Stars s;
 
-	e = star_init(&s, m);
-	if (!e) {
+	if (stars_init(&s, m))
+		return GRADIENT_ENOMEM;
 #pragma omp parallel for schedule(dynamic, 256) reduction(+:low, limited)
-		for (i = 0; i < m->nv; i++) {
-			int said = vertex(m, &s, u, v, i, &jet[i]);
+	for (i = 0; i < m->nv; i++) {
+		int said = vertex(m, &s, u, v, i, &jet[i]);
 
-			low += said & 1;
-			limited += said >> 1;
-		}
-		if (report)
-			*report = (GradientReport){ low, limited };
+		low += said & 1;
+		limited += said >> 1;
 	}
-	free(s.first);
-	free(s.face);
-	return e;
+	if (report)
+		*report = (GradientReport){ low, limited };
+	stars_free(&s);
+	return 0;
 }

@@ -45,6 +45,16 @@ typedef struct GradientReport {
 	int limited;            /* vertices whose polynomial was cut or scaled */
 } GradientReport;
 
+/* The triangles at vertex i: side[first[i]] .. side[first[i+1]-1], as 3*t + k where i is
+ * corner k of t. */
+typedef struct Stars {
+	int *first, *side;
+} Stars;
+
+/* Returns 0 or GRADIENT_ENOMEM, nothing to free then. */
+int  stars_init(Stars *s, const Mesh *m);
+void stars_free(Stars *s);
+
 /* The derivatives at all vertices, finite for finite u, v and phi up to 1e100 in size; 0 at
  * a vertex of no triangle.  Threads, and the result does not depend on their number; time
  * and memory linear in the mesh.
@@ -56,5 +66,11 @@ typedef struct GradientReport {
  *
  * Returns 0 or GRADIENT_ENOMEM. */
 int gradient_fit(const Mesh *m, const double *u, const double *v, Jet *jet, GradientReport *report);
+
+enum { GRADIENT_WANTED = 1, GRADIENT_KNOWN = 2 };
+
+/* The same at those vertices of which want[i] says so; it then says that they are known. */
+void gradient_some(const Stars *s, const Mesh *m, const double *u, const double *v,
+	unsigned char *want, Jet *jet);
 
 #endif

@@ -125,12 +125,14 @@ emit(int *tri, int a, int b, int c)
 static int *
 emit_face(const Split *s, int f, int *tri)
 {
-	int side = longest(s, f), next = topology_next(side), last = topology_next(next);
-	int A = topology_from(&s->t, side), B = topology_to(&s->t, side), C = topology_to(&s->t, next);
-	int m = s->mid[side], bc = s->mid[next], ca = s->mid[last];
+	const int *mid = &s->mid[3*f];
+	int side, next, last, A, B, C, m, bc, ca;
 
-	if (m < 0)
+	if (mid[0] < 0 && mid[1] < 0 && mid[2] < 0)
 		return emit(tri, s->t.tri[3*f], s->t.tri[3*f+1], s->t.tri[3*f+2]);
+	side = longest(s, f), next = topology_next(side), last = topology_next(next);
+	A = topology_from(&s->t, side), B = topology_to(&s->t, side), C = topology_to(&s->t, next);
+	m = s->mid[side], bc = s->mid[next], ca = s->mid[last];
 	tri = ca < 0 ? emit(tri, A, m, C) : emit(emit(tri, A, m, ca), ca, m, C);
 	return bc < 0 ? emit(tri, m, B, C) : emit(emit(tri, m, B, bc), m, bc, C);
 }

@@ -16,7 +16,9 @@ enum { SAMPLER_ENOMEM = -1 };
 typedef struct Sampler {
 	Locator l;
 	int     surface;
-	Jet    *jet;            /* [nv] of SAMPLER_SMOOTH */
+	Stars   stars;          /* this and the rest of SAMPLER_SMOOTH */
+	Jet    *jet;            /* [nv] where want says that they are known */
+	unsigned char *want;    /* [nv] gradient.h */
 } Sampler;
 
 /* m mapped by u, v onto [0,1] x [0,T]; all three must outlive s.  Returns 0 or
@@ -24,10 +26,8 @@ typedef struct Sampler {
 int  sampler_init(Sampler *s, const Mesh *m, const double *u, const double *v, double T, int surface);
 void sampler_free(Sampler *s);
 
-/* phi at (x,y) of [0,1] x [0,T]. */
-void sampler_at(const Sampler *s, double x, double y, double phi[3]);
-
-/* phi at every node of g, (x,y) its place in the chart of the mesh; all [nv][nu]. */
+/* phi at every node of g, (x,y) its place in the chart of the mesh; all [nv][nu].  Finds
+ * the jets that it needs, and keeps them: not from several threads at once. */
 void sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double *const phi[3]);
 
 #endif

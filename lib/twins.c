@@ -20,7 +20,8 @@ bysides(const void *a, const void *b)
 	return x->side < y->side ? -1 : x->side > y->side;
 }
 
-/* Few sides meet at most vertices: insertion is faster there. */
+/* By hi; sides of one edge rise already.  Few meet at most vertices: insertion is faster
+ * there. */
 static void
 sort(Side *s, size_t n)
 {
@@ -33,7 +34,7 @@ sort(Side *s, size_t n)
 	}
 	for (i = 1; i < n; i++) {
 		x = s[i];
-		for (j = i; j > 0 && bysides(&x, &s[j-1]) < 0; j--)
+		for (j = i; j > 0 && x.hi < s[j-1].hi; j--)
 			s[j] = s[j-1];
 		s[j] = x;
 	}
@@ -71,9 +72,11 @@ buckets(const Topology *t, int *start, Side *s)
 	}
 }
 
-/* Join the sides of the edges from v upwards. */
+/* Join the sides of the edges from a vertex upwards; nedge counts them, odd becomes 1 when
+ * some go the same way.  Returns how many faces has the first edge that has more than two,
+ * hi its other end; 0 if none has. */
 static int
-pair(Topology *t, int v, Side *s, int n)
+pair(const Topology *t, Side *s, int n, int *nedge, int *odd, int *hi)
 {
 	int i, k;
 
@@ -81,25 +84,45 @@ pair(Topology *t, int v, Side *s, int n)
 	for (i = 0; i < n; i = k) {
 		for (k = i + 1; k < n && s[k].hi == s[i].hi; k++)
 			continue;
+		*hi = s[i].hi;
 		if (k - i > 2)
-			return mesh_fail(t->err, MESH_EMANIFOLD, "edge %d-%d belongs to %d faces",
-			    topology_name(t, v), topology_name(t, s[i].hi), k - i);
-		t->nedge++;
+			return k - i;
+		++*nedge;
 		t->twin[s[i].side] = k - i == 2 ? s[i+1].side : -1;
 		if (k - i == 1)
 			continue;
 		t->twin[s[i+1].side] = s[i].side;
 		if (topology_from(t, s[i].side) == topology_from(t, s[i+1].side))
-			t->odd = 1;
+			*odd = 1;
 	}
 	return 0;
+}
+
+/* All edges.  Of those with too many faces one at the lowest vertex is named. */
+static int
+pair_all(Topology *t, const int *start, Side *s)
+{
+	int nedge = 0, odd = 0, bad = t->nv, v, n, hi;
+
+#pragma omp parallel for schedule(static) private(hi) \
+	reduction(+:nedge) reduction(|:odd) reduction(min:bad)
+	for (v = 0; v < t->nv; v++)
+		if (pair(t, s + start[v], start[v+1] - start[v], &nedge, &odd, &hi) && v < bad)
+			bad = v;
+	t->nedge = nedge;
+	t->odd = odd;
+	if (bad == t->nv)
+		return 0;
+	n = pair(t, s + start[bad], start[bad+1] - start[bad], &nedge, &odd, &hi);
+	return mesh_fail(t->err, MESH_EMANIFOLD, "edge %d-%d belongs to %d faces",
+	    topology_name(t, bad), topology_name(t, hi), n);
 }
 
 int
 topology_twins(Topology *t)
 {
 	const size_t n = 3 * (size_t)t->nf;
-	int *start, v, e = MESH_ENOMEM;
+	int *start, e = MESH_ENOMEM;
 	Side *s;
 
 	t->nedge = 0;
@@ -109,8 +132,7 @@ topology_twins(Topology *t)
 	s = mesh_alloc(t->err, n, sizeof *s);
 	if (t->twin && start && s) {
 		buckets(t, start, s);
-		for (e = 0, v = 0; !e && v < t->nv; v++)
-			e = pair(t, v, s + start[v], start[v+1] - start[v]);
+		e = pair_all(t, start, s);
 	}
 	free(start);
 	free(s);
