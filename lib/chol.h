@@ -1,9 +1,8 @@
 /* chol.h - sparse Cholesky: systems that share the graph of their matrix and the order of
  * elimination, solved one after the other.
  *
- * A torus patch of 1 M vertices in the order of order.h (50 M entries, 21 gigaflops; kept
- * are 66 M numbers): 0.35 s to analyse, then 0.9 s a system on one thread with AVX-512,
- * 1.5 s with AVX2, 3 s without, where CHOLMOD with OpenBLAS 0.3.21 takes 2.6 s. */
+ * A torus patch of 1 M vertices in the order of order.h has 50 M entries, 21 gigaflops;
+ * kept are 66 M numbers. */
 #ifndef CHOL_H
 #define CHOL_H
 
