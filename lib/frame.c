@@ -155,16 +155,15 @@ differences(Chart g, const double *f, int p, double d[5])
 	d[4] = (f[p+w] - 2*f[p] + f[p-w])/(k*k);
 }
 
-/* Frame and second form at node p of the ring inside the outermost, from the band.
- * The outermost ring itself lies in no cell with a free node and is left 0. */
+/* Frame and second form of phi at inner node p. */
 static int
-node_of_band(Given *s, double *const phi[3], int p)
+node_of_band(Chart g, double *const phi[3], int p, double pqn[9], double DM[2])
 {
-	double d[3][5], form[3] = { 0, 0, 0 }, *pqn = s->pqn + 9*(size_t)p, area;
+	double d[3][5], form[3] = { 0, 0, 0 }, area;
 	int c, e;
 
 	for (c = 0; c < 3; c++) {
-		differences(s->g, phi[c], p, d[c]);
+		differences(g, phi[c], p, d[c]);
 		pqn[c] = d[c][0];
 		pqn[3+c] = d[c][1];
 	}
@@ -177,27 +176,41 @@ node_of_band(Given *s, double *const phi[3], int p)
 		for (e = 0; e < 3; e++)
 			form[e] += d[c][2+e]*pqn[6+c];          /* L, M, N */
 	}
-	s->DM[2*(size_t)p] = (form[0] - form[2])/2;
-	s->DM[2*(size_t)p+1] = form[1];
+	DM[0] = (form[0] - form[2])/2;
+	DM[1] = form[1];
 	return 0;
 }
 
+/* The inner node of the fine grid at or next to node i of n along one direction. */
 static int
-read_band(Given *s, double *const phi[3], int *at)
+beside(int i, int n, int fine)
+{
+	int j = (int)(i*(fine - 1.0)/(n - 1) + 0.5);
+
+	return j < 1 ? 1 : j > fine - 2 ? fine - 2 : j;
+}
+
+/* Rings between node i of n and the nearest end. */
+static int
+from_end(int i, int n)
+{
+	return i < n - 1 - i ? i : n - 1 - i;
+}
+
+/* Frame and second form on one ring of nodes, from the fine grid, which may be the same. */
+static int
+read_band(Given *s, int ring, Chart fine, double *const phi[3], int *at)
 {
 	int nu = s->g.nu, nv = s->g.nv, p, i, j;
 
 	for (p = 0; p < nu*nv; p++) {
-		i = p%nu;
-		j = p/nu;
-		if (i < 1 || j < 1 || i > nu - 2 || j > nv - 2)
+		i = from_end(p%nu, nu);
+		j = from_end(p/nu, nv);
+		if ((i < j ? i : j) != ring)
 			continue;
-		if (i != 1 && j != 1 && i != nu - 2 && j != nv - 2)
-			continue;
-		if (node_of_band(s, phi, p)) {
-			*at = p;
+		*at = beside(p/nu, nv, fine.nv)*fine.nu + beside(p%nu, nu, fine.nu);
+		if (node_of_band(fine, phi, *at, s->pqn + 9*(size_t)p, s->DM + 2*(size_t)p))
 			return FRAME_EBAND;
-		}
 	}
 	return 0;
 }
@@ -221,9 +234,9 @@ frame_make_conformal(double lambda, double p[3], double q[3])
 }
 
 static int
-positions(const Given *s, double *const phi[3], SpdReport *report)
+positions(const Given *s, int held, double *const phi[3], SpdReport *report)
 {
-	CellSystem sys = { s->g, 1, 2, 3, FRAME_BAND, position, s };
+	CellSystem sys = { s->g, 1, 2, 3, held, position, s };
 	size_t n = (size_t)s->g.nu*s->g.nv, p;
 	double *x = malloc(3*n*sizeof *x);
 	int c, e = SPD_ENOMEM;
@@ -241,28 +254,52 @@ positions(const Given *s, double *const phi[3], SpdReport *report)
 	return e;
 }
 
+/* The three systems one after the other; so many rings of the frame are given, and of phi. */
+static int
+solve(Given *s, int frame_held, int phi_held, double *const phi[3], SpdReport *report)
+{
+	CellSystem second_form = { s->g, 2, 2, 1, frame_held, codazzi, s };
+	CellSystem frame = { s->g, 3, 6, 3, frame_held, natural_frame, s };
+	size_t n = (size_t)s->g.nu*s->g.nv, p;
+	int e = cellsq_solve(&second_form, s->DM, report);
+
+	if (!e)
+		e = cellsq_solve(&frame, s->pqn, report);
+	for (p = 0; !e && p < n; p++)
+		frame_make_conformal(s->lambda[p], s->pqn + 9*p, s->pqn + 9*p + 3);
+	return e ? e : positions(s, phi_held, phi, report);
+}
+
+/* With a band that lies on the grid, frame and second form are known on the ring inside the
+ * outermost (this one lies in no cell with a free node then, and its frame is left 0);
+ * with one of a finer grid, near enough on the outermost. */
+static int
+from_band(Chart fine, double *const band[3], Given s, double *const phi[3], int *at, SpdReport *report)
+{
+	size_t n = (size_t)s.g.nu*s.g.nv;
+	int same = band == phi, e = SPD_ENOMEM;
+
+	s.DM = calloc(2*n, sizeof *s.DM);
+	s.pqn = calloc(9*n, sizeof *s.pqn);
+	if (s.DM && s.pqn)
+		e = read_band(&s, same ? 1 : 0, fine, band, at);
+	if (!e)
+		e = solve(&s, same ? FRAME_HELD : 1, same ? FRAME_BAND : 1, phi, report);
+	free(s.DM);
+	free(s.pqn);
+	return e;
+}
+
 int
 frame_surface(Chart g, const double *lambda, const double *H, double *const phi[3],
 	int *at, SpdReport *report)
 {
-	size_t n = (size_t)g.nu*g.nv;
-	Given s = { g, lambda, H, calloc(2*n, sizeof *s.DM), calloc(9*n, sizeof *s.pqn) };
-	CellSystem second_form = { g, 2, 2, 1, FRAME_HELD, codazzi, &s };
-	CellSystem frame = { g, 3, 6, 3, FRAME_HELD, natural_frame, &s };
-	int e = SPD_ENOMEM;
-	size_t p;
+	return from_band(g, phi, (Given){ g, lambda, H, NULL, NULL }, phi, at, report);
+}
 
-	if (s.DM && s.pqn)
-		e = read_band(&s, phi, at);
-	if (!e)
-		e = cellsq_solve(&second_form, s.DM, report);
-	if (!e)
-		e = cellsq_solve(&frame, s.pqn, report);
-	for (p = 0; !e && p < n; p++)
-		frame_make_conformal(lambda[p], s.pqn + 9*p, s.pqn + 9*p + 3);
-	if (!e)
-		e = positions(&s, phi, report);
-	free(s.DM);
-	free(s.pqn);
-	return e;
+int
+frame_coarse(Chart fine, double *const band[3], Chart g, const double *lambda, const double *H,
+	double *const phi[3], int *at, SpdReport *report)
+{
+	return from_band(fine, band, (Given){ g, lambda, H, NULL, NULL }, phi, at, report);
 }

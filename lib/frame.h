@@ -33,6 +33,13 @@ enum { FRAME_EBAND = -10 };     /* the band has no tangent plane at node *at */
 int frame_surface(Chart g, const double *lambda, const double *H, double *const phi[3],
 	int *at, SpdReport *report);
 
+/* The same on a coarser grid g, whose border has the positions of the boundary curve and, to
+ * first order in the steps, the frame and second form that the band of the fine grid has
+ * beside them: a start for the surface method (surface.h).  *at is a node of the fine
+ * grid.  Returns as frame_surface. */
+int frame_coarse(Chart fine, double *const band[3], Chart g, const double *lambda, const double *H,
+	double *const phi[3], int *at, SpdReport *report);
+
 /* p and q made the nearest pair that is orthogonal and of length lambda, in the least
  * squares sense; a pair that is parallel or 0 stays as it is. */
 void frame_make_conformal(double lambda, double p[3], double q[3]);

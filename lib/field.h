@@ -1,0 +1,17 @@
+/* field.h - sums and updates of long arrays, on all threads and equal to the last bit for
+ * any number of them: sums are made in blocks of fixed length, then over the blocks. */
+#ifndef FIELD_H
+#define FIELD_H
+
+#include <stddef.h>
+
+/* <a, b> */
+double field_dot(size_t n, const double *a, const double *b);
+
+/* y += a x */
+void field_add(size_t n, double a, const double *x, double *y);
+
+/* y = x + a y */
+void field_turn(size_t n, const double *x, double a, double *y);
+
+#endif

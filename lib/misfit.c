@@ -1,0 +1,171 @@
+/* misfit.c - the energy of a surface, its residuals and its weights. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "misfit.h"
+#include "misfitnode.h"
+
+static const double FINEST = 2;         /* turn of the normal over a cell beyond which H is clipped */
+static const double LEAST = 1e-4;       /* lambda^2 over its mean below which a node says nothing */
+
+static double
+clip(const Misfit *m, double lambda2, double l2H)
+{
+	double q = sqrt(chart_h(m->g)*chart_k(m->g)/lambda2)*fabs(l2H);
+
+	return q > FINEST && !m->residue ? l2H*FINEST/q : l2H;
+}
+
+/* |grad log lambda|^2 at inner node p. */
+static double
+gradient2(const Misfit *m, size_t p)
+{
+	double u = log(m->lambda2[p+1]/m->lambda2[p-1])/(4*chart_h(m->g));
+	double v = log(m->lambda2[p+m->g.nu]/m->lambda2[p-m->g.nu])/(4*chart_k(m->g));
+
+	return u*u + v*v;
+}
+
+static double
+weight(const Misfit *m, size_t p)
+{
+	double l2 = m->lambda2[p], l2H = m->l2H2[p]/2;
+	double q2 = chart_h(m->g)*chart_k(m->g)*(l2H*l2H/l2 + 4*gradient2(m, p));
+
+	if (l2*m->scale < LEAST)
+		return 0;
+	return 1/(1 + 4*q2);
+}
+
+static void
+fill(Misfit *m, const double *lambda2, const double *l2H)
+{
+	size_t n = (size_t)m->g.nu*m->g.nv, p;
+	double sum = 0;
+	int i, j;
+
+	for (p = 0; p < n; p++) {
+		m->lambda2[p] = lambda2[p];
+		m->l2H2[p] = 2*clip(m, lambda2[p], l2H[p]);
+		m->o[p] = 0;
+	}
+	for (j = 1; j < m->g.nv - 1; j++)
+		for (i = 1; i < m->g.nu - 1; i++)
+			sum += lambda2[(size_t)j*m->g.nu + i];
+	m->scale = (m->g.nu - 2.0)*(m->g.nv - 2.0)/sum;
+	for (j = 1; j < m->g.nv - 1; j++)
+		for (i = 1; i < m->g.nu - 1; i++) {
+			p = (size_t)j*m->g.nu + i;
+			m->o[p] = weight(m, p);
+		}
+}
+
+int
+misfit_init(Misfit *m, Chart g, const double *lambda2, const double *l2H, const Residue *residue)
+{
+	size_t n = (size_t)g.nu*g.nv;
+
+	*m = (Misfit){ .g = g, .residue = residue };
+	m->lambda2 = malloc(n*sizeof(double));
+	m->l2H2 = malloc(n*sizeof(double));
+	m->o = malloc(n*sizeof(double));
+	m->row = malloc(2*(size_t)g.nv*sizeof(double));
+	m->work = malloc((size_t)misfit_strips(g)*27*g.nu*sizeof(double));
+	if (!m->lambda2 || !m->l2H2 || !m->o || !m->row || !m->work) {
+		misfit_free(m);
+		return MISFIT_ENOMEM;
+	}
+	fill(m, lambda2, l2H);
+	return 0;
+}
+
+void
+misfit_free(Misfit *m)
+{
+	free(m->lambda2);
+	free(m->l2H2);
+	free(m->o);
+	free(m->row);
+	free(m->work);
+	memset(m, 0, sizeof *m);
+}
+
+/* ---- sums over the inner nodes --------------------------------------- */
+
+/* Rows are summed in their order, whatever the threads did. */
+static double
+total(const Misfit *m, const double *row)
+{
+	double sum = 0;
+	int j;
+
+	for (j = 1; j < m->g.nv - 1; j++)
+		sum += row[j];
+	return sum;
+}
+
+/* A node's share of E. */
+static double
+energy_of(const Misfit *m, const double *phi, size_t p)
+{
+	double r[MISFIT_PARTS], sum = 0;
+	Local a;
+	int c;
+
+	local(m, phi, p, &a);
+	residuals(m, &a, p, r);
+	for (c = 0; c < MISFIT_PARTS; c++)
+		sum += r[c]*r[c];
+	return sum;
+}
+
+double
+misfit_energy(const Misfit *m, const double *phi)
+{
+	int i, j;
+
+#pragma omp parallel for schedule(static) private(i)
+	for (j = 1; j < m->g.nv - 1; j++)
+		for (m->row[j] = 0, i = 1; i < m->g.nu - 1; i++)
+			m->row[j] += energy_of(m, phi, (size_t)j*m->g.nu + i);
+	return total(m, m->row);
+}
+
+size_t
+misfit_worst(const Misfit *m, const double *phi)
+{
+	size_t p, n = (size_t)m->g.nu*(m->g.nv - 1), at = m->g.nu + 1;
+	double e, most = -1;
+
+	for (p = at; p < n; p++)
+		if (p%m->g.nu != 0 && p%m->g.nu != (size_t)m->g.nu - 1) {
+			e = energy_of(m, phi, p);
+			if (!(e <= most)) {
+				most = e;
+				at = p;
+			}
+		}
+	return at;
+}
+
+double
+misfit_scale_error(const Misfit *m, const double *phi)
+{
+	double *weight = m->row + m->g.nv, x, o2;
+	int i, j;
+
+#pragma omp parallel for schedule(static) private(i, x, o2)
+	for (j = 1; j < m->g.nv - 1; j++)
+		for (m->row[j] = weight[j] = 0, i = 1; i < m->g.nu - 1; i++) {
+			size_t p = (size_t)j*m->g.nu + i;
+			Local a;
+
+			local(m, phi, p, &a);
+			x = (dot3(a.u, a.u) + dot3(a.v, a.v))/2 - m->lambda2[p];
+			o2 = m->o[p]*m->o[p];
+			m->row[j] += o2*x*x/m->lambda2[p];
+			weight[j] += o2*m->lambda2[p];
+		}
+	x = total(m, weight);
+	return x > 0 ? sqrt(total(m, m->row)/x) : 0;
+}

@@ -1,0 +1,175 @@
+/* surface.c - from coarse grids to fine ones. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "frame.h"
+#include "resample.h"
+#include "surface.h"
+
+enum { COARSEST = 65 };         /* nodes along the shorter side, up to twice that */
+static const double ENOUGH = 1e-4;      /* change at which a coarse grid has served, */
+enum { ROUGH = 12 };            /* or steps */
+static const double WHOLE[2] = { 1, 1 };
+
+typedef struct Level {
+	Chart   g;
+	double *lambda2, *l2H;
+	double *phi;            /* [3] fields */
+} Level;
+
+static size_t
+nodes(Chart g)
+{
+	return (size_t)g.nu*g.nv;
+}
+
+static int
+has_coarser(Chart g)
+{
+	int least = g.nu < g.nv ? g.nu : g.nv;
+
+	return (least - 1)/2 + 1 >= COARSEST;
+}
+
+static Chart
+coarser(Chart g)
+{
+	return (Chart){ g.nu/2 + 1, g.nv/2 + 1, g.T };
+}
+
+static void
+level_free(Level *l)
+{
+	free(l->lambda2);
+	free(l->l2H);
+	free(l->phi);
+}
+
+/* Inner nodes of phi from another grid; its border stays. */
+static int
+fill_inside(Chart from, const double end[2], const double *f, Chart g, double *phi)
+{
+	double *t = malloc(nodes(g)*sizeof *t);
+	int c, j, e = t ? 0 : SURFACE_ENOMEM;
+
+	for (c = 0; !e && c < 3; c++) {
+		e = resample_cubic(from, end, f + c*nodes(from), g, t);
+		for (j = 1; !e && j < g.nv - 1; j++)
+			memcpy(phi + c*nodes(g) + (size_t)j*g.nu + 1, t + (size_t)j*g.nu + 1,
+			    (g.nu - 2)*sizeof *t);
+	}
+	free(t);
+	return e;
+}
+
+/* The level below f, with the boundary curve in its phi. */
+static int
+coarsen(const Level *f, Level *l)
+{
+	int c, e = SURFACE_ENOMEM;
+
+	l->g = coarser(f->g);
+	l->lambda2 = malloc(nodes(l->g)*sizeof(double));
+	l->l2H = malloc(nodes(l->g)*sizeof(double));
+	l->phi = malloc(3*nodes(l->g)*sizeof(double));
+	if (l->lambda2 && l->l2H && l->phi)
+		e = resample_mean(f->g, f->lambda2, l->g, l->lambda2);
+	if (!e)
+		e = resample_mean(f->g, f->l2H, l->g, l->l2H);
+	for (c = 0; !e && c < 3; c++)
+		e = resample_cubic(f->g, WHOLE, f->phi + c*nodes(f->g), l->g, l->phi + c*nodes(l->g));
+	return e;
+}
+
+static int
+fit_level(const Level *l, const Residue *residue, const FitOptions *o, FitProgress *at)
+{
+	Misfit m;
+	int r;
+
+	if (misfit_init(&m, l->g, l->lambda2, l->l2H, residue))
+		return SURFACE_ENOMEM;
+	at->cost /= 4;
+	r = fit(&m, o, l->phi, at);
+	at->cost += at->solves;
+	misfit_free(&m);
+	return r;
+}
+
+/* The start of the coarsest level where no lattice says it: the frame method, with the
+ * band of the finest. */
+static int
+start_from_frame(const Surface *s, const Level *l, double *finest)
+{
+	double *lambda = malloc(nodes(l->g)*sizeof *lambda), *H = malloc(nodes(l->g)*sizeof *H);
+	double *fine[3], *phi[3];
+	int c, at, e = SPD_ENOMEM;
+	size_t p;
+
+	for (c = 0; c < 3; c++) {
+		fine[c] = finest + c*nodes(s->g);
+		phi[c] = l->phi + c*nodes(l->g);
+	}
+	for (p = 0; lambda && H && p < nodes(l->g); p++) {
+		lambda[p] = sqrt(l->lambda2[p]);
+		H[p] = l->l2H[p]/l->lambda2[p];
+	}
+	if (lambda && H)
+		e = l->phi == finest ? frame_surface(l->g, lambda, H, phi, &at, NULL)
+		    : frame_coarse(s->g, fine, l->g, lambda, H, phi, &at, NULL);
+	free(lambda);
+	free(H);
+	return e == SPD_ENOMEM ? SURFACE_ENOMEM : e ? SURFACE_ESTART : 0;
+}
+
+/* Finds phi of level l, whose border is given, from that of the level below it. */
+static int
+descend(const Surface *s, const Level *l, const FitOptions *o, double *finest, FitProgress *at)
+{
+	FitOptions rough = *o;
+	Level below = { .phi = NULL };
+	int r;
+
+	if (has_coarser(l->g)) {
+		r = coarsen(l, &below);
+		if (!r)
+			r = descend(s, &below, o, finest, at);
+		if (r >= 0)
+			r = fill_inside(below.g, WHOLE, below.phi, l->g, l->phi);
+		level_free(&below);
+	} else if (s->start)
+		r = fill_inside(s->start_chart, s->start_end, s->start, l->g, l->phi);
+	else
+		r = start_from_frame(s, l, finest);
+	if (r < 0)
+		return r;
+	if (l->phi == finest)
+		return fit_level(l, s->residue, o, at);
+	rough.tolerance = o->tolerance > ENOUGH ? o->tolerance : ENOUGH;
+	rough.most = ROUGH;
+	rough.sharpen = 0;
+	return fit_level(l, NULL, &rough, at);
+}
+
+int
+surface(const Surface *s, const FitOptions *o, double *phi, FitProgress *at)
+{
+	size_t n = nodes(s->g), p;
+	Level finest = { s->g, malloc(n*sizeof(double)), malloc(n*sizeof(double)), phi };
+	int r = SURFACE_ENOMEM;
+
+	*at = (FitProgress){ .nu = s->g.nu, .nv = s->g.nv };
+	if (s->g.nu < 3 || s->g.nv < 3)
+		r = 1;
+	else if (finest.lambda2 && finest.l2H) {
+		for (p = 0; p < n; p++) {
+			finest.lambda2[p] = s->lambda[p]*s->lambda[p];
+			finest.l2H[p] = finest.lambda2[p]*s->H[p];
+		}
+		r = descend(s, &finest, o, phi, at);
+	}
+	free(finest.lambda2);
+	free(finest.l2H);
+	return r;
+}
