@@ -9,7 +9,7 @@
 enum { BAND = 3 };      /* rings: what the frame method of lh2grid needs */
 
 static const char text[] =
-"usage: grid2lh [--mean-curvature=normal|magnitude] [--lattice=N | --no-lattice] [GRID] >lh.lhg\n"
+"usage: grid2lh [--residual] [--lattice=N | --no-lattice] [GRID] >lh.lhg\n"
 "reads channels x y z; writes lambda H, the boundary band band.x band.y band.z (the three\n"
 "outer rings of x y z) and the lattice start.x start.y start.z (every N/32-th node of x y\n"
 "z, which only tells lh2grid where to start); other channels and metadata pass through\n"
@@ -17,16 +17,21 @@ static const char text[] =
 "                     normal, or from its length (the paper's (26)) [normal]\n"
 "  -l, --lattice=N    about N nodes of start along the shorter side, 2..4096 [33]\n"
 "      --no-lattice   write no start\n"
+"  -r, --residual     write also what lambda and H do not say of a grid that is not quite\n"
+"                     conformal, nu1 = (|x_u|^2-|x_v|^2)/(2 lambda^2), nu2 = x_u.x_v/lambda^2,\n"
+"                     tau1 = x_u.Delta x/lambda^2, tau2 = x_v.Delta x/lambda^2: from these\n"
+"                     lh2grid gives back the surface itself\n"
 CMD_USAGE
 "H is -1 on the unit sphere whose normal, x_u cross x_v, points out.  On the outermost\n"
 "ring lambda and H go on from the rings within; near the corners |H| is at most four times\n"
-"its root mean square.  Under -v: median, mean and maximum of\n"
+"its root mean square (not with --residual).  Under -v: median, mean and maximum of\n"
 "the residual Beltrami coefficient over the inner nodes, 0 where the grid is conformal.\n";
 
 static const struct option longopt[] = {
 	{ "mean-curvature", required_argument, NULL, 'm' },
 	{ "lattice",        required_argument, NULL, 'l' },
 	{ "no-lattice",     no_argument,       NULL, 'L' },
+	{ "residual",       no_argument,       NULL, 'r' },
 	CMD_LONGOPT
 };
 
@@ -66,9 +71,23 @@ report_beltrami(const CmdInput *in, Chart g, const double *const phi[3])
 	free(mu);
 }
 
+static void
+add_residue(Lhg *g, Chart chart, const double *const phi[3], const double *lambda)
+{
+	static const char *const name[4] = { "nu1", "nu2", "tau1", "tau2" };
+	double *f[4];
+	int i;
+
+	for (i = 0; i < 4; i++) {
+		lhg_drop(g, name[i]);
+		f[i] = cmd_add(g, name[i], "1", LHG_GRID, 0);
+	}
+	lambdah_residue(chart, phi, lambda, f, f + 2);
+}
+
 /* One grid: x y z out, lambda H band start in. */
 static void
-convert(const CmdInput *in, Lhg *g, int curvature, int lattice)
+convert(const CmdInput *in, Lhg *g, int curvature, int lattice, int residual)
 {
 	const char *const name[3] = { "x", "y", "z" };
 	Chart chart = { g->nu, g->nv, g->T };
@@ -90,6 +109,10 @@ convert(const CmdInput *in, Lhg *g, int curvature, int lattice)
 		die("%s: the surface has no extent", in->name);
 	if (raised)
 		detail("%s: %d of %d nodes have hardly a tangent plane", in->name, raised, g->nu*g->nv);
+	if (residual)
+		add_residue(g, chart, phi, lambda);
+	else
+		lambdah_limit_corners(chart, H);
 	add_positions(g, "band", LHG_BORDER, BAND, phi);
 	if (lattice)
 		add_positions(g, "start", LHG_LATTICE, lattice_step(g, lattice), phi);
@@ -100,23 +123,24 @@ convert(const CmdInput *in, Lhg *g, int curvature, int lattice)
 int
 main(int argc, char *argv[])
 {
-	int opt, curvature = LAMBDAH_NORMAL, lattice = 33;
+	int opt, curvature = LAMBDAH_NORMAL, lattice = 33, residual = 0;
 	CmdInput in;
 	Lhg g;
 
 	cmd_begin("grid2lh", text);
-	while ((opt = cmd_getopt(argc, argv, "m:l:", longopt)) != -1)
+	while ((opt = cmd_getopt(argc, argv, "m:l:r", longopt)) != -1)
 		switch (opt) {
 		case 'm': curvature = opt_word(optarg, "normal\0magnitude\0", "mean-curvature"); break;
 		case 'l': lattice = opt_long(optarg, 2, 4096, "lattice"); break;
 		case 'L': lattice = 0; break;
+		case 'r': residual = 1; break;
 		}
 	cmd_operands(argc, argv, 0, 1);
 	cmd_binary_output();
 
 	cmd_open(&in, argv[optind]);
 	while (cmd_read(&in, &g)) {
-		convert(&in, &g, curvature, lattice);
+		convert(&in, &g, curvature, lattice, residual);
 		cmd_write(&g);
 		lhg_free(&g);
 	}

@@ -7,6 +7,9 @@
 #include "../lib/surface.h"
 #include "surfacefit.h"
 
+/* A surface that fits exactly is worth more steps: they gain digits fast. */
+static const double EXACT = 1e-4;
+
 static const char *const START[3] = { "start.x", "start.y", "start.z" };
 static const char *const RESIDUE[4] = { "nu1", "nu2", "tau1", "tau2" };
 
@@ -94,8 +97,10 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi)
 	FitProgress at;
 	Residue residue;
 
-	if (read_residue(in, g, o, &residue))
+	if (read_residue(in, g, o, &residue)) {
 		s.residue = &residue;
+		how.tolerance *= EXACT;
+	}
 	switch (surface(&s, &how, phi, &at)) {
 	case 1: break;
 	case 0: die("%s: no convergence in %d steps: energy %.4g, change %.2g, the largest residual at node (%d,%d)",

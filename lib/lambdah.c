@@ -104,8 +104,8 @@ in_corner(Chart g, int p)
 /* |H| near a corner held to four times the root mean square of H elsewhere: where the
  * boundary of the mesh is smooth there, lambda goes to 0 and H, of a few nodes, to 10^3
  * times the rest, which turns its whole spectrum white. */
-static void
-limit_corners(Chart g, double *H)
+void
+lambdah_limit_corners(Chart g, double *H)
 {
 	int p, n = g.nu*g.nv, count = 0;
 	double sum = 0, most;
@@ -136,8 +136,29 @@ lambdah(Chart g, const double *const phi[3], int curvature, double *lambda, doub
 	extend(g.nv - 2, 2*g.nu - 1, g.nu, -1, lambda, H);
 	extend(g.nu, 0, 1, g.nu, lambda, H);
 	extend(g.nu, (g.nv - 1)*g.nu, 1, -g.nu, lambda, H);
-	limit_corners(g, H);
 	return raised;
+}
+
+void
+lambdah_residue(Chart g, const double *const phi[3], const double *lambda, double *const nu[2],
+	double *const tau[2])
+{
+	double phi_u[3], phi_v[3], lap[3], l2;
+	int i, j, p;
+
+	for (p = 0, j = 0; j < g.nv; j++)
+		for (i = 0; i < g.nu; i++, p++) {
+			nu[0][p] = nu[1][p] = tau[0][p] = tau[1][p] = 0;
+			if (i == 0 || j == 0 || i == g.nu - 1 || j == g.nv - 1)
+				continue;
+			tangents(g, phi, p, phi_u, phi_v);
+			laplacian(g, phi, p, lap);
+			l2 = lambda[p]*lambda[p];
+			nu[0][p] = (dot3(phi_u, phi_u) - dot3(phi_v, phi_v))/(2*l2);
+			nu[1][p] = dot3(phi_u, phi_v)/l2;
+			tau[0][p] = dot3(lap, phi_u)/l2;
+			tau[1][p] = dot3(lap, phi_v)/l2;
+		}
 }
 
 void

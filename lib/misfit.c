@@ -33,7 +33,7 @@ weight(const Misfit *m, size_t p)
 	double q2 = chart_h(m->g)*chart_k(m->g)*(l2H*l2H/l2 + 4*gradient2(m, p));
 
 	if (l2*m->scale < LEAST)
-		return 0;
+		return m->residue ? l2*m->scale/LEAST/(1 + 4*q2) : 0;
 	return 1/(1 + 4*q2);
 }
 

@@ -127,7 +127,7 @@ start_from_frame(const Surface *s, const Level *l, double *finest)
 static int
 descend(const Surface *s, const Level *l, const FitOptions *o, double *finest, FitProgress *at)
 {
-	FitOptions rough = *o;
+	FitOptions way = *o;
 	Level below = { .phi = NULL };
 	int r;
 
@@ -146,10 +146,10 @@ descend(const Surface *s, const Level *l, const FitOptions *o, double *finest, F
 		return r;
 	if (l->phi == finest)
 		return fit_level(l, s->residue, o, at);
-	rough.tolerance = o->tolerance > ENOUGH ? o->tolerance : ENOUGH;
-	rough.most = ROUGH;
-	rough.sharpen = 0;
-	return fit_level(l, NULL, &rough, at);
+	way.tolerance = o->tolerance > ENOUGH ? o->tolerance : ENOUGH;
+	way.most = ROUGH;
+	way.sharpen = 0;
+	return fit_level(l, NULL, &way, at);
 }
 
 int
