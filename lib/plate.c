@@ -1,4 +1,4 @@
-/* plate.c - FFTW behind plate.h.
+/* plate.c - sine transforms of three fields at once.
  *
  * Two-dimensional transforms are made of one-dimensional ones, so that threads share the
  * rows of all three fields and no plan depends on their number.  Columns are taken out
@@ -28,36 +28,44 @@ eigenvalues(int n, double step)
 void
 plate_free(Plate *p)
 {
-	if (p->along_u)
-		fftw_destroy_plan(p->along_u);
-	if (p->along_v)
-		fftw_destroy_plan(p->along_v);
+	sine_free(&p->along_u);
+	sine_free(&p->along_v);
 	free(p->eigenvalue[0]);
 	free(p->eigenvalue[1]);
-	free(p->columns);
+	fftw_free(p->work);
 	memset(p, 0, sizeof *p);
 }
 
-static fftw_plan
-sines(int n, double *f)
+/* Numbers of work a thread needs, a multiple of a line of the cache: columns, and what a
+ * transform needs. */
+static size_t
+columns(const Plate *p)
 {
-	return fftw_plan_r2r_1d(n, f, f, FFTW_RODFT00, FFTW_ESTIMATE | FFTW_UNALIGNED);
+	return ((size_t)WIDTH*p->g.nv + 7)/8*8;
+}
+
+static size_t
+room(const Plate *p)
+{
+	size_t u = sine_room(&p->along_u), v = sine_room(&p->along_v);
+
+	return columns(p) + ((u > v ? u : v) + 7)/8*8;
 }
 
 int
 plate_init(Plate *p, Chart g)
 {
-	size_t most = g.nu > g.nv ? g.nu : g.nv;
+	int e;
 
 	*p = (Plate){ .g = g };
 	p->eigenvalue[0] = eigenvalues(g.nu - 2, chart_h(g));
 	p->eigenvalue[1] = eigenvalues(g.nv - 2, chart_k(g));
-	p->columns = malloc(omp_get_max_threads()*WIDTH*most*sizeof *p->columns);
-	if (p->columns) {
-		p->along_u = sines(g.nu - 2, p->columns);
-		p->along_v = sines(g.nv - 2, p->columns);
-	}
-	if (p->along_u && p->along_v && p->eigenvalue[0] && p->eigenvalue[1])
+	e = sine_init(&p->along_u, g.nu - 2);
+	if (!e)
+		e = sine_init(&p->along_v, g.nv - 2);
+	if (!e)
+		p->work = fftw_alloc_real(omp_get_max_threads()*room(p));
+	if (p->work && p->eigenvalue[0] && p->eigenvalue[1])
 		return 0;
 	plate_free(p);
 	return PLATE_ENOMEM;
@@ -68,18 +76,18 @@ static void
 solve_columns(const Plate *p, double a, double b, int i, int width, double *column, double *z)
 {
 	int n = p->g.nv - 2, nu = p->g.nu, j, k;
-	double norm = 4*(p->g.nu - 1.0)*(p->g.nv - 1.0), e;
+	double norm = (p->g.nu - 1.0)*(p->g.nv - 1.0)/4, e, *work = column + columns(p);
 
 	for (j = 0; j < n; j++)
 		for (k = 0; k < width; k++)
 			column[k*n+j] = z[(size_t)j*nu + i + k];
 	for (k = 0; k < width; k++) {
-		fftw_execute_r2r(p->along_v, column + k*n, column + k*n);
+		sine_transform(&p->along_v, column + k*n, work);
 		for (j = 0; j < n; j++) {
 			e = p->eigenvalue[0][i+k] + p->eigenvalue[1][j];
 			column[k*n+j] /= norm*e*(a*e + b);
 		}
-		fftw_execute_r2r(p->along_v, column + k*n, column + k*n);
+		sine_transform(&p->along_v, column + k*n, work);
 	}
 	for (j = 0; j < n; j++)
 		for (k = 0; k < width; k++)
@@ -87,16 +95,14 @@ solve_columns(const Plate *p, double a, double b, int i, int width, double *colu
 }
 
 static void
-transform_rows(const Plate *p, double *z)
+transform_rows(const Plate *p, double *z, double *work)
 {
 	int rows = 3*p->g.nv, j;
 
 #pragma omp for schedule(static)
 	for (j = 0; j < rows; j++) {
-		double *row = z + (size_t)j*p->g.nu + 1;
-
 		if (j%p->g.nv != 0 && j%p->g.nv != p->g.nv - 1)
-			fftw_execute_r2r(p->along_u, row, row);
+			sine_transform(&p->along_u, z + (size_t)j*p->g.nu + 1, work);
 	}
 }
 
@@ -108,16 +114,16 @@ plate_solve(const Plate *p, double a, double b, double *z)
 
 #pragma omp parallel
 	{
-		double *column = p->columns + (size_t)omp_get_thread_num()*WIDTH*(p->g.nv - 2);
+		double *column = p->work + omp_get_thread_num()*room(p);
 		int q;
 
-		transform_rows(p, z);
+		transform_rows(p, z, column + columns(p));
 #pragma omp for schedule(static)
 		for (q = 0; q < 3*groups; q++) {
 			int i = q%groups*WIDTH, width = inner - i < WIDTH ? inner - i : WIDTH;
 
 			solve_columns(p, a, b, i, width, column, z + q/groups*n + p->g.nu + 1);
 		}
-		transform_rows(p, z);
+		transform_rows(p, z, column + columns(p));
 	}
 }

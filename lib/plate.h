@@ -8,17 +8,16 @@
 #ifndef PLATE_H
 #define PLATE_H
 
-#include <fftw3.h>
-
 #include "chart.h"
+#include "sine.h"
 
 enum { PLATE_ENOMEM = -1 };
 
 typedef struct Plate {
 	Chart     g;
 	double   *eigenvalue[2];        /* of minus the second differences along u and v */
-	double   *columns;              /* some columns of each thread, upright */
-	fftw_plan along_u, along_v;     /* of a row in its place, of a column in `columns` */
+	Sine      along_u, along_v;
+	double   *work;                 /* of each thread */
 } Plate;
 
 /* g has at least 3 nodes in either direction.  Returns 0 or PLATE_ENOMEM; p then holds
