@@ -21,8 +21,8 @@ static const char text[] =
 CMD_USAGE
 "The surface method minimises, with the boundary curve held,\n"
 "  |Delta phi - 2 lambda^2 H n|^2 + w^2 (the metric minus lambda^2)^2\n"
-"by Gauss-Newton steps, on grids of 65 to 128 nodes along the shorter side first, then\n"
-"twice as fine until the whole grid.  The start only chooses among the surfaces that have\n"
+"by Gauss-Newton steps, on a grid of 4225 nodes or some more first, then twice as fine until\n"
+"the whole grid.  The start only chooses among the surfaces that have\n"
 "this lambda, H and boundary; where there is none, the frame method gives it on the coarsest\n"
 "grid (from three rings of band).  What does not converge is refused.  Memory: about 40\n"
 "numbers a node in all, 22 MB at 257 x 257, 340 MB at 1025 x 1025.\n"

@@ -6,12 +6,22 @@
 #include "misfitnode.h"
 
 static const double FINEST = 2;         /* turn of the normal over a cell beyond which H is clipped */
+static const double BLUR = 1e-6;
 static const double LEAST = 1e-4;       /* lambda^2 over its mean below which a node says nothing */
+
+/* The square of a step, that of the longer one where they differ much. */
+static double
+step2(Chart g)
+{
+	double h = chart_h(g), k = chart_k(g);
+
+	return (h*h + k*k)/2;
+}
 
 static double
 clip(const Misfit *m, double lambda2, double l2H)
 {
-	double q = sqrt(chart_h(m->g)*chart_k(m->g)/lambda2)*fabs(l2H);
+	double q = sqrt(step2(m->g)/lambda2)*fabs(l2H);
 
 	return q > FINEST && !m->residue ? l2H*FINEST/q : l2H;
 }
@@ -30,7 +40,7 @@ static double
 weight(const Misfit *m, size_t p)
 {
 	double l2 = m->lambda2[p], l2H = m->l2H2[p]/2;
-	double q2 = chart_h(m->g)*chart_k(m->g)*(l2H*l2H/l2 + 4*gradient2(m, p));
+	double q2 = step2(m->g)*(l2H*l2H/l2 + 4*gradient2(m, p));
 
 	if (l2*m->scale < LEAST)
 		return m->residue ? l2*m->scale/LEAST/(1 + 4*q2) : 0;
@@ -65,7 +75,7 @@ misfit_init(Misfit *m, Chart g, const double *lambda2, const double *l2H, const 
 {
 	size_t n = (size_t)g.nu*g.nv;
 
-	*m = (Misfit){ .g = g, .residue = residue };
+	*m = (Misfit){ .g = g, .residue = residue, .blur = residue ? 0 : BLUR };
 	m->lambda2 = malloc(n*sizeof(double));
 	m->l2H2 = malloc(n*sizeof(double));
 	m->o = malloc(n*sizeof(double));

@@ -12,11 +12,14 @@
  * The others are 0 only if that grid is conformal: where it is not, nu and tau say so.
  * E is free of the unit of length.
  *
- * o = 1/(1 + 4 q^2) is the weight of a node by its resolution: q^2 = h k (lambda^2 H^2 + 4
- * |grad log lambda|^2), the turn of the normal and of the coordinate lines over one cell.
+ * o = 1/(1 + 4 q^2) is the weight of a node by its resolution: q^2 = (h^2 + k^2)/2
+ * (lambda^2 H^2 + 4 |grad log lambda|^2), the turn of the normal and of the coordinate lines over one cell.
  * Truncation makes of a conformal map a grid that is off by about q^2.  The third line,
  * which holds all the same, is trusted more.  o = 0 where lambda < 0.01 <lambda^2>^(1/2),
- * and |H| is clipped so that sqrt(h k) lambda |H| <= 2 (DESIGN section 6).
+ * and |H| is clipped so that lambda |H| times a step is <= 2 (DESIGN section 6).
+ *
+ * n is smooth where the surface folds over: it is 0 where phi_u x phi_v is, over a thousandth
+ * of lambda^2 (not with a residue, where such places are not to be).
  *
  * Vectors of displacements and gradients are three fields [3][nv][nu], 0 on the border.
  */
@@ -43,6 +46,7 @@ typedef struct Misfit {
 	Chart          g;
 	double         w, alpha;
 	double         scale;           /* 1/<lambda^2> */
+	double         blur;            /* n = c/(|c|^2 + blur lambda^4)^(1/2), c = phi_u x phi_v */
 	double        *lambda2, *l2H2;  /* [nv][nu] lambda^2 and 2 lambda^2 H */
 	double        *o;               /* [nv][nu] */
 	double        *row, *work;      /* of the sums and of the products */

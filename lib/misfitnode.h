@@ -19,7 +19,7 @@ misfit_strips(Chart g)
 typedef struct Local {
 	double u[3], v[3];      /* phi_u, phi_v */
 	double L[3];            /* Delta phi */
-	double n[3], area;      /* unit normal, |phi_u x phi_v| */
+	double n[3], area;      /* normal, phi_u x phi_v over the area of the node */
 } Local;
 
 /* Weights of the six residuals of a node. */
@@ -48,7 +48,7 @@ local(const Misfit *m, const double *phi, size_t p, Local *a)
 
 	differences(m->g, phi, p, a->u, a->v, a->L);
 	cross3(a->u, a->v, a->n);
-	a->area = norm3(a->n) + 1e-300;
+	a->area = sqrt(dot3(a->n, a->n) + m->blur*m->lambda2[p]*m->lambda2[p]) + 1e-300;
 	for (c = 0; c < 3; c++)
 		a->n[c] /= a->area;
 }

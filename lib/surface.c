@@ -7,7 +7,8 @@
 #include "resample.h"
 #include "surface.h"
 
-enum { COARSEST = 65 };         /* nodes along the shorter side, up to twice that */
+enum { COARSEST = 65*65 };      /* nodes at least */
+static const double SQUARE = 1.5;       /* sides of a cell that is coarsened both ways */
 static const double ENOUGH = 1e-4;      /* change at which a coarse grid has served, */
 enum { ROUGH = 12 };            /* or steps */
 static const double WHOLE[2] = { 1, 1 };
@@ -24,18 +25,24 @@ nodes(Chart g)
 	return (size_t)g.nu*g.nv;
 }
 
-static int
-has_coarser(Chart g)
-{
-	int least = g.nu < g.nv ? g.nu : g.nv;
-
-	return (least - 1)/2 + 1 >= COARSEST;
-}
-
+/* Half as many steps in both directions, or in the one whose steps are clearly the shorter. */
 static Chart
 coarser(Chart g)
 {
-	return (Chart){ g.nu/2 + 1, g.nv/2 + 1, g.T };
+	double h = chart_h(g), k = chart_k(g);
+	Chart c = g;
+
+	if (h < SQUARE*k)
+		c.nu = g.nu/2 + 1;
+	if (k < SQUARE*h)
+		c.nv = g.nv/2 + 1;
+	return c;
+}
+
+static int
+has_coarser(Chart g)
+{
+	return nodes(coarser(g)) >= COARSEST;
 }
 
 static void
@@ -90,7 +97,7 @@ fit_level(const Level *l, const Residue *residue, const FitOptions *o, FitProgre
 
 	if (misfit_init(&m, l->g, l->lambda2, l->l2H, residue))
 		return SURFACE_ENOMEM;
-	at->cost /= 4;
+	at->cost *= nodes((Chart){ at->nu, at->nv, 1 })/(double)nodes(l->g);
 	r = fit(&m, o, l->phi, at);
 	at->cost += at->solves;
 	misfit_free(&m);

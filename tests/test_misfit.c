@@ -1,0 +1,214 @@
+/* test_misfit.c - the energy, its gradient and the products with its Jacobian. */
+#include "cmock.h"
+
+#include <omp.h>
+
+#include "../lib/field.h"
+#include "../lib/lambdah.h"
+#include "../lib/misfit.h"
+#include "surfaces.h"
+
+static const Chart CHART = { 34, 45, 0.8 };
+enum { N = 34*45 };
+
+static double phi[3*N], lambda[N], H[N], lambda2[N], l2H[N], nu[2][N], tau[2][N];
+static double d[3*N], e[3*N], g[3*N], f[3*N], moved[3*N];
+static Residue residue = { { nu[0], nu[1] }, { tau[0], tau[1] } };
+
+/* The torus patch, bent by a wave, so that it is neither symmetric nor conformal. */
+static void
+surface_of_size(double size)
+{
+	double *x[3] = { phi, phi + N, phi + 2*N }, *const nus[2] = { nu[0], nu[1] }, *const taus[2] = { tau[0], tau[1] };
+	int p;
+
+	sample_immersion(torus, CHART, size, x, NULL, NULL);
+	for (p = 0; p < N; p++)
+		phi[p] += size*0.05*sin(p%34*0.3)*cos(p/34*0.2 + 1);
+	lambdah(CHART, (const double *const *)x, LAMBDAH_NORMAL, lambda, H);
+	lambdah_residue(CHART, (const double *const *)x, lambda, nus, taus);
+	for (p = 0; p < N; p++) {
+		lambda2[p] = lambda[p]*lambda[p];
+		l2H[p] = lambda2[p]*H[p];
+	}
+}
+
+static int
+inner(int p)
+{
+	return p%34 > 0 && p%34 < 33 && p/34%45 > 0 && p/34%45 < 44;
+}
+
+static void
+random_displacement(unsigned long long seed, double size, double *x)
+{
+	int p;
+
+	for (p = 0; p < 3*N; p++)
+		x[p] = inner(p%N) ? size*noise(&seed) : 0;
+}
+
+static Misfit
+misfit_of(const Residue *r)
+{
+	Misfit m;
+
+	assert_int_equal(misfit_init(&m, CHART, lambda2, l2H, r), 0);
+	m.w = 40;
+	m.alpha = 0.6;
+	return m;
+}
+
+static double
+energy_at(const Misfit *m, double t, const double *direction)
+{
+	memcpy(moved, phi, sizeof phi);
+	field_add(3*N, t, direction, moved);
+	return misfit_energy(m, moved);
+}
+
+/* With the residue no line of the energy is left; without, those of conformality are. */
+static void
+energy_is_zero_at_the_surface(void **state)
+{
+	Misfit m;
+
+	(void)state;
+	surface_of_size(1);
+	m = misfit_of(&residue);
+	assert_true(misfit_energy(&m, phi) < 1e-18);
+	misfit_free(&m);
+	m = misfit_of(NULL);
+	assert_true(misfit_energy(&m, phi) > 1);
+	assert_true(misfit_scale_error(&m, phi) < 1e-14);
+	misfit_free(&m);
+}
+
+static void
+gradient_is_the_derivative(void **state)
+{
+	double t = 1e-6, slope;
+	Misfit m;
+	int k;
+
+	(void)state;
+	surface_of_size(1);
+	m = misfit_of(NULL);
+	random_displacement(5, 0.001, e);               /* away from the surface */
+	for (k = 0; k < 3*N; k++)
+		phi[k] += e[k];
+	misfit_gradient(&m, phi, g);
+	for (k = 1; k < 5; k++) {
+		random_displacement(10 + k, 1, d);
+		slope = (energy_at(&m, t, d) - energy_at(&m, -t, d))/(2*t);
+		assert_true(fabs(2*field_dot(3*N, g, d)/slope - 1) < 1e-5);
+	}
+	misfit_free(&m);
+}
+
+/* J'J is symmetric, and where the residuals are 0 the derivative of the gradient. */
+static void
+normal_matrix_is_that_of_the_gradient(void **state)
+{
+	double t = 1e-7, most = 0;
+	Misfit m;
+	int k;
+
+	(void)state;
+	surface_of_size(1);
+	m = misfit_of(&residue);
+	random_displacement(1, 1, d);
+	random_displacement(2, 1, e);
+	misfit_normal(&m, phi, d, f);
+	misfit_normal(&m, phi, e, g);
+	assert_true(fabs(field_dot(3*N, e, f)/field_dot(3*N, d, g) - 1) < 1e-12);
+	assert_true(field_dot(3*N, d, f) > 0);
+	memcpy(moved, phi, sizeof phi);
+	field_add(3*N, t, d, moved);
+	misfit_gradient(&m, moved, g);
+	field_add(3*N, -2*t, d, moved);
+	misfit_gradient(&m, moved, e);
+	for (k = 0; k < 3*N; k++) {
+		most = fabs(f[k]) > most ? fabs(f[k]) : most;
+		g[k] = (g[k] - e[k])/(2*t);
+	}
+	assert_true(largest(3*N, f, g) < 1e-5*most);
+	misfit_free(&m);
+}
+
+static void
+energy_has_no_unit_of_length(void **state)
+{
+	double E[2];
+	Misfit m;
+	int k;
+
+	(void)state;
+	for (k = 0; k < 2; k++) {
+		surface_of_size(k ? 1000 : 1);
+		random_displacement(3, k ? 1 : 0.001, d);
+		m = misfit_of(NULL);
+		E[k] = energy_at(&m, 1, d);
+		misfit_free(&m);
+	}
+	assert_true(fabs(E[1]/E[0] - 1) < 1e-9);
+}
+
+/* A node that says nothing (lambda is 0 there, or H beyond all measure) spoils nothing. */
+static void
+single_nodes_do_no_harm(void **state)
+{
+	double E, clean;
+	Misfit m;
+
+	(void)state;
+	surface_of_size(1);
+	random_displacement(3, 0.001, d);
+	m = misfit_of(NULL);
+	clean = energy_at(&m, 1, d);
+	misfit_free(&m);
+	lambda2[20*34+15] *= 1e-6;
+	l2H[30*34+9] = 1e9;
+	m = misfit_of(NULL);
+	E = energy_at(&m, 1, d);
+	misfit_free(&m);
+	assert_true(E < 2*clean);
+}
+
+static void
+threads_change_no_bit(void **state)
+{
+	int threads = omp_get_max_threads();
+	double E[2];
+	Misfit m;
+
+	(void)state;
+	surface_of_size(1);
+	random_displacement(3, 0.001, d);
+	omp_set_num_threads(1);
+	m = misfit_of(NULL);
+	E[0] = energy_at(&m, 1, d);
+	misfit_normal(&m, phi, d, f);
+	omp_set_num_threads(4);
+	E[1] = energy_at(&m, 1, d);
+	misfit_normal(&m, phi, d, g);
+	misfit_free(&m);
+	omp_set_num_threads(threads);
+	assert_memory_equal(&E[0], &E[1], sizeof E[0]);
+	assert_memory_equal(f, g, sizeof f);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(energy_is_zero_at_the_surface),
+		cmocka_unit_test(gradient_is_the_derivative),
+		cmocka_unit_test(normal_matrix_is_that_of_the_gradient),
+		cmocka_unit_test(energy_has_no_unit_of_length),
+		cmocka_unit_test(single_nodes_do_no_harm),
+		cmocka_unit_test(threads_change_no_bit),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

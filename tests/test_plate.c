@@ -1,0 +1,126 @@
+/* test_plate.c - sine transforms are sums of sines, and the plate is the inverse of what it
+ * says. */
+#include "cmock.h"
+
+#include <omp.h>
+
+#include "../lib/field.h"
+#include "../lib/plate.h"
+#include "surfaces.h"
+
+static void
+transforms_are_sums_of_sines(void **state)
+{
+	static const int sizes[] = { 1, 2, 3, 4, 7, 12, 31, 60 };
+	double f[60], F[60], *work, sum;
+	unsigned long long seed = 1;
+	Sine s;
+	int q, j, k, n;
+
+	(void)state;
+	for (q = 0; q < 8; q++) {
+		n = sizes[q];
+		assert_int_equal(sine_init(&s, n), 0);
+		work = fftw_alloc_real(sine_room(&s));
+		for (j = 0; j < n; j++)
+			F[j] = f[j] = noise(&seed);
+		sine_transform(&s, F, work);
+		for (k = 0; k < n; k++) {
+			for (sum = 0, j = 0; j < n; j++)
+				sum += f[j]*sin(M_PI*(j + 1)*(k + 1)/(n + 1));
+			assert_true(fabs(F[k] - sum) < 1e-12);
+		}
+		fftw_free(work);
+		sine_free(&s);
+	}
+}
+
+/* y = -Delta x on inner nodes, x 0 on the border. */
+static void
+minus_laplacian(Chart g, const double *x, double *y)
+{
+	double h2 = chart_h(g)*chart_h(g), k2 = chart_k(g)*chart_k(g);
+	int i, j, p;
+
+	for (j = 1; j < g.nv - 1; j++)
+		for (i = 1; i < g.nu - 1; i++) {
+			p = j*g.nu + i;
+			y[p] = (2*x[p] - x[p-1] - x[p+1])/h2 + (2*x[p] - x[p-g.nu] - x[p+g.nu])/k2;
+		}
+}
+
+static void
+plate_inverts(void **state)
+{
+	static const Chart charts[] = { { 18, 13, 0.7 }, { 13, 18, 1.6 }, { 3, 3, 1 }, { 4, 3, 2 }, { 3, 30, 2 } };
+	double x[3*234], z[3*234], y[234], yy[234];
+	unsigned long long seed = 7;
+	int q, c, i, j, p, n;
+	Plate plate;
+
+	(void)state;
+	for (q = 0; q < 5; q++) {
+		Chart g = charts[q];
+
+		n = g.nu*g.nv;
+		memset(x, 0, sizeof x);
+		for (c = 0; c < 3; c++)
+			for (j = 1; j < g.nv - 1; j++)
+				for (i = 1; i < g.nu - 1; i++)
+					x[c*n + j*g.nu + i] = noise(&seed);
+		memcpy(z, x, sizeof x);
+		assert_int_equal(plate_init(&plate, g), 0);
+		plate_solve(&plate, 0.3, 50, z);
+		for (c = 0; c < 3; c++) {
+			memset(y, 0, sizeof y);
+			memset(yy, 0, sizeof yy);
+			minus_laplacian(g, z + c*n, y);
+			minus_laplacian(g, y, yy);
+			for (p = 0; p < n; p++)
+				assert_true(fabs(0.3*yy[p] + 50*y[p] - x[c*n+p]) < 1e-9);
+		}
+		plate_free(&plate);
+	}
+}
+
+static void
+threads_change_no_bit(void **state)
+{
+	static double x[3*70*50], one[3*70*50], three[3*70*50];
+	Chart g = { 70, 50, 0.7 };
+	unsigned long long seed = 7;
+	double dot[2];
+	int threads = omp_get_max_threads(), p;
+	Plate plate;
+
+	(void)state;
+	for (p = 0; p < 3*70*50; p++)
+		x[p] = p%70 && p%70 < 69 && p/70%50 && p/70%50 < 49 ? noise(&seed) : 0;
+	memcpy(one, x, sizeof x);
+	memcpy(three, x, sizeof x);
+	omp_set_num_threads(1);
+	assert_int_equal(plate_init(&plate, g), 0);
+	plate_solve(&plate, 1, 1, one);
+	dot[0] = field_dot(3*70*50, x, one);
+	plate_free(&plate);
+	omp_set_num_threads(3);
+	assert_int_equal(plate_init(&plate, g), 0);
+	plate_solve(&plate, 1, 1, three);
+	dot[1] = field_dot(3*70*50, x, three);
+	plate_free(&plate);
+	omp_set_num_threads(threads);
+	assert_memory_equal(one, three, sizeof one);
+	assert_memory_equal(&dot[0], &dot[1], sizeof dot[0]);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(transforms_are_sums_of_sines),
+		cmocka_unit_test(plate_inverts),
+		cmocka_unit_test(threads_change_no_bit),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,186 @@
+/* test_surface.c - the surface method returns the surface whose lambda and H it was given. */
+#include "cmock.h"
+
+#include <omp.h>
+
+#include "../lib/lambdah.h"
+#include "../lib/surface.h"
+#include "surfaces.h"
+
+static const Chart COARSE = { 70, 67, 0.8 }, FINE = { 139, 133, 0.8 }, LATTICE = { 12, 10, 0.8 };
+enum { MOST = 139*133 };
+
+static double truth[3*MOST], found[3*MOST], kept[3*MOST], lambda[MOST], H[MOST], start[3*12*10];
+static double nu[2][MOST], tau[2][MOST];
+static const FitOptions EXACT = { .tolerance = 1e-10, .most = 60, .sharpen = 1 };
+
+static void
+sample(Immersion *f, Chart g, double *phi)
+{
+	double *x[3] = { phi, phi + (size_t)g.nu*g.nv, phi + 2*(size_t)g.nu*g.nv };
+
+	sample_immersion(f, g, 1, x, NULL, NULL);
+}
+
+/* lambda, H, residue and lattice of the truth. */
+static Surface
+given(Immersion *f, Chart g)
+{
+	size_t n = (size_t)g.nu*g.nv;
+	const double *phi[3] = { truth, truth + n, truth + 2*n };
+	double *const nus[2] = { nu[0], nu[1] }, *const taus[2] = { tau[0], tau[1] };
+
+	sample(f, g, truth);
+	sample(f, LATTICE, start);
+	lambdah(g, phi, LAMBDAH_NORMAL, lambda, H);
+	lambdah_residue(g, phi, lambda, nus, taus);
+	return (Surface){ .g = g, .lambda = lambda, .H = H, .start_chart = LATTICE, .start_end = { 1, 1 }, .start = start };
+}
+
+/* Reconstructs from the given and so many rings; the largest difference to the truth. */
+static double
+reconstruct(const Surface *s, int rings, const FitOptions *o)
+{
+	int n = s->g.nu*s->g.nv, p, i, j;
+	FitProgress at;
+
+	for (p = 0; p < 3*n; p++) {
+		i = p%n%s->g.nu;
+		j = p%n/s->g.nu;
+		found[p] = i < rings || j < rings || i >= s->g.nu - rings || j >= s->g.nv - rings ? truth[p] : 777;
+	}
+	assert_int_equal(surface(s, o, found, &at), 1);
+	return largest(3*n, found, truth);
+}
+
+static void
+surfaces_come_back(void **state)
+{
+	Immersion *const of[] = { stereo, cylinder, catenoid, enneper, torus, plane };
+	Surface s;
+	int k;
+
+	(void)state;
+	for (k = 0; k < 6; k++) {
+		s = given(of[k], COARSE);
+		assert_true(reconstruct(&s, 1, &EXACT) < 3e-4);
+	}
+}
+
+/* What is left is that differences are not derivatives: it falls with the square of h. */
+static void
+error_is_of_second_order(void **state)
+{
+	Immersion *const of[] = { stereo, enneper, torus };
+	double coarse;
+	Surface s;
+	int k;
+
+	(void)state;
+	for (k = 0; k < 3; k++) {
+		s = given(of[k], COARSE);
+		coarse = reconstruct(&s, 1, &EXACT);
+		s = given(of[k], FINE);
+		assert_true(reconstruct(&s, 1, &EXACT) < coarse/3.5);
+	}
+}
+
+static void
+residue_gives_the_surface_itself(void **state)
+{
+	const Residue residue = { { nu[0], nu[1] }, { tau[0], tau[1] } };
+	Surface s = given(enneper, COARSE);
+
+	(void)state;
+	s.residue = &residue;
+	assert_true(reconstruct(&s, 1, &EXACT) < 1e-9);
+}
+
+/* The start chooses among solutions and enters nothing else; nor does where it comes from. */
+static void
+start_enters_nothing(void **state)
+{
+	Surface s = given(torus, COARSE);
+	size_t n = 3*(size_t)COARSE.nu*COARSE.nv;
+	unsigned long long seed = 5;
+	int k;
+
+	(void)state;
+	reconstruct(&s, 1, &EXACT);
+	memcpy(kept, found, n*sizeof *found);
+	for (k = 0; k < 3*12*10; k++)
+		start[k] += 0.05*noise(&seed);
+	reconstruct(&s, 1, &EXACT);
+	assert_true(largest(n, kept, found) < 1e-7);
+	s.start = NULL;
+	reconstruct(&s, 3, &EXACT);
+	assert_true(largest(n, kept, found) < 1e-7);
+}
+
+static void
+threads_change_no_bit(void **state)
+{
+	Surface s = given(enneper, COARSE);
+	size_t n = 3*(size_t)COARSE.nu*COARSE.nv;
+	int threads = omp_get_max_threads();
+
+	(void)state;
+	omp_set_num_threads(1);
+	reconstruct(&s, 1, &EXACT);
+	memcpy(kept, found, n*sizeof *found);
+	omp_set_num_threads(3);
+	reconstruct(&s, 1, &EXACT);
+	omp_set_num_threads(threads);
+	assert_memory_equal(kept, found, n*sizeof *found);
+}
+
+static void
+small_grids_are_no_trouble(void **state)
+{
+	const FitOptions usual = { .tolerance = 1e-6, .most = 60, .sharpen = 1 };
+	static const Chart charts[] = { { 2, 2, 1 }, { 3, 3, 1 }, { 4, 9, 2 }, { 3, 40, 2 } };
+	FitProgress at;
+	Surface s;
+	int k;
+
+	(void)state;
+	for (k = 0; k < 4; k++) {
+		sample(stereo, charts[k], truth);
+		sample_immersion(stereo, charts[k], 1, NULL, lambda, H);
+		sample(stereo, LATTICE, start);
+		s = (Surface){ .g = charts[k], .lambda = lambda, .H = H, .start_chart = LATTICE,
+		    .start_end = { 1, 1 }, .start = start };
+		memcpy(found, truth, sizeof truth);
+		assert_int_equal(surface(&s, &usual, found, &at), 1);
+	}
+}
+
+static void
+steps_that_do_not_suffice_are_told(void **state)
+{
+	const FitOptions hasty = { .tolerance = 1e-10, .most = 1, .sharpen = 1 };
+	Surface s = given(torus, COARSE);
+	FitProgress at;
+
+	(void)state;
+	memcpy(found, truth, sizeof truth);
+	assert_int_equal(surface(&s, &hasty, found, &at), 0);
+	assert_int_equal(at.step, 1);
+	assert_true(at.change > 0 && at.energy > 0 && at.worst > (size_t)COARSE.nu);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(surfaces_come_back),
+		cmocka_unit_test(error_is_of_second_order),
+		cmocka_unit_test(residue_gives_the_surface_itself),
+		cmocka_unit_test(start_enters_nothing),
+		cmocka_unit_test(threads_change_no_bit),
+		cmocka_unit_test(small_grids_are_no_trouble),
+		cmocka_unit_test(steps_that_do_not_suffice_are_told),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
