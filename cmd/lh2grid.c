@@ -15,7 +15,7 @@ static const char text[] =
 "                     method [surface]\n"
 "  -t, --tolerance=X  surface: stop when a step moves the nodes by less than X, root mean\n"
 "                     square over the square root of the area [5e-5]\n"
-"  -s, --steps=N      surface: give up after N steps on the grid, 1..10000 [100]\n"
+"  -s, --steps=N      surface: give up after N steps on the grid, 1..10000 [200]\n"
 "      --no-start     do not use start.x start.y start.z\n"
 "      --ideal        do not use nu1 nu2 tau1 tau2 (grid2lh --residual)\n"
 CMD_USAGE
@@ -134,7 +134,7 @@ convert(const CmdInput *in, Lhg *g, int method, const SurfaceFit *o)
 int
 main(int argc, char *argv[])
 {
-	SurfaceFit o = { .tolerance = 5e-5, .steps = 100 };
+	SurfaceFit o = { .tolerance = 5e-5, .steps = 200 };
 	int opt, method = 0;
 	CmdInput in;
 	Lhg g;

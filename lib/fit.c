@@ -11,6 +11,7 @@ static const double TENSION = 3;        /* of the plate in w^2: what took the fe
 enum { MOST_CG = 60 };
 static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a Gauss-Newton step */
 static const double FLAT = 1e-6;         /* share of E not worth another step */
+static const double CREEP = 1e-3;        /* share of E that ten steps must take */
 static const double WORTH = 1e-3;       /* least share of the decrease a CG step must add */
 
 typedef struct Work {
@@ -159,10 +160,13 @@ sharpen(Misfit *m, const double *phi)
 	m->alpha *= pow(SHARP_ALPHA/m->alpha, share);
 }
 
-/* A step that the trust region cut short shows nothing, unless it is down to nothing. */
+/* A step that the trust region cut short shows nothing, unless it is down to nothing or the
+ * last ten together took hardly anything off E: what belongs to no surface can creep. */
 static int
-converged(const FitOptions *o, const Outcome *is, double E)
+converged(const FitOptions *o, const Outcome *is, double E, double E10)
 {
+	if (E10 - E < CREEP*E10)
+		return 1;
 	if (is->cut)
 		return is->change < 1e-3*o->tolerance;
 	return is->change < o->tolerance || !(is->fall > FLAT*E);
@@ -171,8 +175,8 @@ converged(const FitOptions *o, const Outcome *is, double E)
 int
 fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 {
-	int sharp = !o->sharpen, done = 0;
-	double E, before;
+	int sharp = !o->sharpen, done = 0, i;
+	double E, before, E10, past[10];     /* E, before the last step, before the last ten */
 	Outcome is;
 	Work k;
 
@@ -184,6 +188,8 @@ fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 	E = misfit_energy(m, phi);
 	while (!done && at->step < o->most) {
 		before = E;
+		E10 = at->step >= 10 ? past[at->step%10] : HUGE_VAL;
+		past[at->step%10] = E;
 		is = step(&k, phi, &E);
 		at->step++;
 		at->energy = E;
@@ -191,11 +197,13 @@ fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 		at->solves = k.solves;
 		if (o->report)
 			o->report(o->ctx, at);
-		done = converged(o, &is, E);
+		done = converged(o, &is, E, E10);
 		if (!sharp && is.taken && (done || E > before/2)) {
 			sharpen(m, phi);
 			E = misfit_energy(m, phi);
 			k.radius = HUGE_VAL;
+			for (i = 0; i < 10; i++)
+				past[i] = HUGE_VAL;
 			sharp = 1;
 			done = 0;
 		}

@@ -22,17 +22,17 @@ setup_file() {
 		below "$(error_of "$tmp/phi" "$tmp/psi" max_rel)" "$max"
 		below "$(error_of "$tmp/phi" "$tmp/psi" mean_rel)" "$mean"
 	done <<-END
-		cap      0.002  0.0005
-		mercator 0.0005 0.0001
-		cylinder 0.0005 0.0001
-		catenoid 0.0005 0.0001
-		torus    0.0005 0.0001
-		enneper  0.001  0.0002
-		moebius  0.0005 0.0001
-		spiral   0.015  0.005
-		face     0.03   0.003
-		tooth    0.06   0.006
-		cortex   0.12   0.03
+		cap      0.0005 0.0002
+		mercator 0.0002 0.00005
+		cylinder 0.0002 0.0001
+		catenoid 0.0003 0.0002
+		torus    0.0002 0.00005
+		enneper  0.0005 0.0002
+		moebius  0.0002 0.00005
+		spiral   0.03   0.001
+		face     0.01   0.0005
+		tooth    0.01   0.0005
+		cortex   0.03   0.005
 	END
 }
 
