@@ -154,7 +154,7 @@ duplicate(const void *p, size_t bytes)
 	return q ? memcpy(q, p, bytes) : NULL;
 }
 
-/* The mesh and the loop of d, nothing shared. */
+/* The mesh, the loop and the twins of d, nothing shared. */
 static int
 copy_disk(const Disk *d, Disk *copy)
 {
@@ -162,7 +162,8 @@ copy_disk(const Disk *d, Disk *copy)
 	copy->m.xyz = duplicate(d->m.xyz, 3*(size_t)d->m.nv*sizeof(double));
 	copy->m.tri = duplicate(d->m.tri, 3*(size_t)d->m.nf*sizeof(int));
 	copy->loop = duplicate(d->loop, d->nb*sizeof(int));
-	return copy->m.xyz && copy->m.tri && copy->loop ? 0 : SPD_ENOMEM;
+	copy->twin = duplicate(d->twin, 3*(size_t)d->m.nf*sizeof(int));
+	return copy->m.xyz && copy->m.tri && copy->loop && copy->twin ? 0 : SPD_ENOMEM;
 }
 
 int

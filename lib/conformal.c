@@ -9,11 +9,11 @@
 static int
 sample(const Disk *d, const AdaptMap *a, Chart g, const ConformalOptions *options, Conformal *c)
 {
-	const Mesh *m = options->surface == SAMPLER_SMOOTH ? &d->m : &a->d.m;
+	const Disk *sampled = options->surface == SAMPLER_SMOOTH ? d : &a->d;
 	Sampler s;
 	int e;
 
-	if (sampler_init(&s, m, a->u, a->v, a->T, options->surface))
+	if (sampler_init(&s, sampled, a->u, a->v, a->T, options->surface))
 		return SPD_ENOMEM;
 	g.T = a->T;
 	e = grid_init(&c->grid, g, &s);

@@ -12,7 +12,7 @@
 #include "synthdisk.h"
 
 /* A conforming mesh of the same surface: still a disk, of the same area and the same
- * boundary; old vertices in place. */
+ * boundary, with its twins; old vertices in place. */
 static void
 check_finer(const Disk *d, const Disk *finer)
 {
@@ -27,6 +27,7 @@ check_finer(const Disk *d, const Disk *finer)
 	assert_string_equal(again.note, "");
 	assert_int_equal(again.nb, finer->nb);
 	assert_memory_equal(again.loop, finer->loop, finer->nb*sizeof *finer->loop);
+	assert_memory_equal(again.twin, finer->twin, 3*finer->m.nf*sizeof *finer->twin);
 	assert_memory_equal(d->m.xyz, finer->m.xyz, 3*d->m.nv*sizeof(double));
 	assert_true(fabs(mesh_area(&finer->m)/mesh_area(&d->m) - 1) < 1e-12);
 	disk_free(&again);

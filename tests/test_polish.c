@@ -143,7 +143,7 @@ points_are_located(void **state)
 		if (fabs(u[i] - 0.2) < 0.02 && fabs(v[i] - 0.4) < 0.02)
 			break;
 	u[i] += 0.15;
-	assert_int_equal(locator_init(&l, &d.m, u, v, dom.T), 0);
+	assert_int_equal(locator_init(&l, &d, u, v, dom.T), 0);
 	for (i = 0; i < 5000; i++) {
 		x = (1 + noise(&seed))/2, y = dom.T*(1 + noise(&seed))/2;
 		if (i%10 == 0)
@@ -197,7 +197,7 @@ polish_finds_the_conformal_map(void **state)
 			mid = i;
 	}
 	pu = u[mid], pv = v[mid];
-	assert_int_equal(sampler_init(&sampler, &d.m, u, v, g.T, SAMPLER_SMOOTH), 0);
+	assert_int_equal(sampler_init(&sampler, &d, u, v, g.T, SAMPLER_SMOOTH), 0);
 	assert_int_equal(grid_init(&a, g, &sampler), 0);
 	before = mean_mu(&a);
 	assert_int_equal(polish(&sampler, &a, 8, 1, &pu, &pv, &done), 0);
@@ -236,7 +236,7 @@ polish_never_harms(void **state)
 			u[i] = (xy[2*i] - dom.x0)/(dom.x1 - dom.x0);
 			v[i] = (xy[2*i+1] - dom.y0)/(dom.x1 - dom.x0);
 		}
-		assert_int_equal(sampler_init(&sampler, &d.m, u, v, g.T, SAMPLER_FACETS), 0);
+		assert_int_equal(sampler_init(&sampler, &d, u, v, g.T, SAMPLER_FACETS), 0);
 		for (rounds = 1; rounds < 9; rounds++) {
 			assert_int_equal(grid_init(&a, g, &sampler), 0);
 			before = mean_mu(&a);
