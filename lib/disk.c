@@ -159,6 +159,27 @@ orient(Disk *d, Topology *t)
 	return e;
 }
 
+/* One component, with one fan at every vertex: looked for at the same time. */
+static int
+checkwhole(const Topology *t)
+{
+	char err[MESH_ERRLEN];
+	Topology other = *t;
+	int e = 0, e1 = 0;
+
+	other.err = err;
+#pragma omp parallel sections
+	{
+#pragma omp section
+		e = topology_connected(t);
+#pragma omp section
+		e1 = topology_fans(&other);
+	}
+	if (!e && e1)
+		memcpy(t->err, err, sizeof err);
+	return e ? e : e1;
+}
+
 static int
 checkdisk(Disk *d)
 {
@@ -169,7 +190,7 @@ checkdisk(Disk *d)
 		return e;
 	if (t.odd)
 		e = orient(d, &t);
-	if (!e && (e = topology_connected(&t)) == 0 && (e = topology_fans(&t)) == 0)
+	if (!e && (e = checkwhole(&t)) == 0)
 		e = topology_loop(&t, &d->loop, &d->nb);
 	d->twin = t.twin;
 	return e;
