@@ -64,16 +64,20 @@ find_shift(const Grid *a, Shift *s)
 	size_t n = (size_t)a->g.nu*a->g.nv, p;
 	double Ea, Eb;
 	GridLaplace l;
-	int e = gridlaplace_init(&l, a->g, a->phi);
+	int e = gridlaplace_init(&l, a->g, a->phi), e1 = 0;
 
 	if (e)
 		return e;
-	e = gridlaplace_harmonic(&l, 0, s->du, &Ea);
-	if (!e)
-		e = gridlaplace_harmonic(&l, 1, s->dv, &Eb);
+#pragma omp parallel sections
+	{
+#pragma omp section
+		e = gridlaplace_harmonic(&l, 0, s->du, &Ea);
+#pragma omp section
+		e1 = gridlaplace_harmonic(&l, 1, s->dv, &Eb);
+	}
 	gridlaplace_free(&l);
-	if (e)
-		return e;
+	if (e || e1)
+		return e ? e : e1;
 	s->T = sqrt(Ea/Eb);
 	for (p = 0; p < n; p++) {
 		s->du[p] = s->du[p]*(a->g.nu - 1) - p%a->g.nu;
