@@ -11,6 +11,7 @@
 typedef struct Split {
 	const Disk *d;
 	Topology    t;
+	int         similar;    /* all faces, into four similar ones */
 	int        *mid;        /* [3*nf] new vertex on each side; -1: not cut, CUT: to be numbered */
 	int        *stack, depth;       /* faces whose longest side may have to be cut */
 	int        *part;       /* [3*nf][2] new side that a side becomes, or its first and second half */
@@ -72,7 +73,7 @@ close_up(Split *s, const unsigned char *marked)
 	int f, k;
 
 	for (f = 0; f < s->t.nf; f++)
-		for (k = 0; k < 3 && marked[f]; k++)
+		for (k = 0; k < 3 && (s->similar || marked[f]); k++)
 			cut(s, 3*f + k);
 	while (s->depth > 0) {
 		f = s->stack[--s->depth];
@@ -166,6 +167,21 @@ emit_right(Split *s, int m, int B, int C, int side, int next)
 	return right + 2;
 }
 
+static void
+emit_similar(Split *s, int f)
+{
+	const int *mid = &s->mid[3*f], *c = &s->t.tri[3*f];
+	int inner = emit(s, mid[0], mid[1], mid[2]), k, l, side;
+
+	for (k = 0; k < 3; k++) {
+		l = (k + 2)%3;
+		side = emit(s, c[k], mid[k], mid[l]);
+		s->part[2*(3*f + k)] = side;
+		s->part[2*(3*f + l) + 1] = side + 2;
+		sew(s, side + 1, inner + l);
+	}
+}
+
 /* The parts of face f: itself, or halves at its longest side AB, each of them halved
  * again where its other old side is cut. */
 static void
@@ -174,6 +190,10 @@ emit_face(Split *s, int f)
 	const int *mid = &s->mid[3*f], *c = &s->t.tri[3*f];
 	int side, next, last, left, m, C, k;
 
+	if (s->similar) {
+		emit_similar(s, f);
+		return;
+	}
 	if (mid[0] < 0 && mid[1] < 0 && mid[2] < 0) {
 		side = emit(s, c[0], c[1], c[2]);
 		for (k = 0; k < 3; k++)
@@ -251,7 +271,7 @@ build(Split *s, Disk *finer)
 int
 refine_split(const Disk *d, const unsigned char *marked, Disk *finer)
 {
-	Split s = { .d = d, .t = { .nv = d->m.nv, .nf = d->m.nf, .tri = d->m.tri, .twin = d->twin } };
+	Split s = { .similar = !marked, .d = d, .t = { .nv = d->m.nv, .nf = d->m.nf, .tri = d->m.tri, .twin = d->twin } };
 	size_t sides = 3*(size_t)d->m.nf;
 	int e = MESH_ENOMEM;
 

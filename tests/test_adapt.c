@@ -75,6 +75,25 @@ least_angle(const Mesh *m)
 	return least;
 }
 
+/* The least angle of similar faces is the one there was. */
+static void
+split_similar_keeps_angles(void **state)
+{
+	Synth s;
+	SynthDomain dom;
+	Disk d, finer;
+
+	(void)state;
+	synth_disk("face", 300, &s, &dom, &d, NULL);
+	assert_int_equal(refine_split(&d, NULL, &finer), 0);
+	assert_int_equal(finer.m.nf, 4*d.m.nf);
+	assert_int_equal(finer.nb, 2*d.nb);
+	check_finer(&d, &finer);
+	assert_true(fabs(least_angle(&finer.m)/least_angle(&d.m) - 1) < 1e-9);
+	disk_free(&d);
+	disk_free(&finer);
+}
+
 static void
 split_some_is_conforming(void **state)
 {
@@ -192,6 +211,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(split_all_gives_four_of_each),
+		cmocka_unit_test(split_similar_keeps_angles),
 		cmocka_unit_test(split_some_is_conforming),
 		cmocka_unit_test(modulus_to_1e_4),
 		cmocka_unit_test(stops_at_the_limit),
