@@ -31,7 +31,7 @@ static const char text[] =
 "      --surface=smooth|facets  between the vertices the surface is C1 and cubic\n"
 "                     (Clough-Tocher over the chart) or flat [smooth]\n"
 "      --polish=N     at most N rounds that map the grid by its own metric, each kept only if\n"
-"                     the grid becomes more conformal, 0..100 [8]\n"
+"                     the grid becomes more conformal, 0..100 [12]\n"
 "      --allow-flips  go on when the map turns triangles over\n"
 "      --uv=FILE      write the mesh as it was read, with its (u,v), to FILE .obj or .ply:\n"
 "                     for textures, and for grid2mesh --on; vertices of no face get -1,-1\n"
@@ -120,7 +120,7 @@ add_positions(Lhg *out, const Grid *grid)
 int
 main(int argc, char *argv[])
 {
-	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 8, 0 };
+	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0 };
 	const char *corners = NULL, *uv = NULL;
 	Chart g = { 257, 257, 1 };
 	int opt, corner[4], flip = 0;

@@ -5,6 +5,9 @@
 #include "conformal.h"
 #include "untangle.h"
 
+/* Mean residual coefficient below which no polish is worth its time. */
+static const double ENOUGH = 2e-4;
+
 /* Sample the mesh of the map and polish the grid; the vertices of d are carried along. */
 static int
 sample(const Disk *d, const AdaptMap *a, Chart g, const ConformalOptions *options, Conformal *c)
@@ -20,7 +23,7 @@ sample(const Disk *d, const AdaptMap *a, Chart g, const ConformalOptions *option
 	if (!e) {
 		memcpy(c->u, a->u, d->m.nv*sizeof *c->u);
 		memcpy(c->v, a->v, d->m.nv*sizeof *c->v);
-		e = polish(&s, &c->grid, options->polish, d->m.nv, c->u, c->v, &c->polished);
+		e = polish(&s, &c->grid, options->polish, ENOUGH, d->m.nv, c->u, c->v, &c->polished);
 	}
 	sampler_free(&s);
 	return e ? SPD_ENOMEM : 0;

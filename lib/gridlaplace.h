@@ -5,8 +5,10 @@
  *
  *   E(f) = integral  <grad f, A grad f> du dv,    A = sqrt(det g) g^-1,  g = (E F; F G),
  *
- * by bilinear elements and 2 x 2 Gauss points, the tangents in g from cell and from central
- * differences.  A is the identity where phi is conformal
+ * by bilinear elements and their corners as points of quadrature, so that on a conformal grid
+ * it is the five-point Laplacian; the tangents in g are a mean of central differences, which
+ * do not see the odd-even mode, and of those along the sides of each cell.  A is the
+ * identity where phi is conformal
  * (DESIGN section 4, polish).
  */
 #ifndef GRIDLAPLACE_H
@@ -21,9 +23,9 @@ typedef struct GridLaplace {
 	double *cell;           /* [cells][10] the lower triangle of each cell's 4 x 4 matrix */
 } GridLaplace;
 
-/* The matrices of phi[0], phi[1], phi[2], each [nv][nu].  Returns 0 or
- * GRIDLAPLACE_ENOMEM. */
-int  gridlaplace_init(GridLaplace *l, Chart g, double *const phi[3]);
+/* The matrices of phi[0], phi[1], phi[2], each [nv][nu]; central is the part that central
+ * differences have in the tangents, 0..1.  Returns 0 or GRIDLAPLACE_ENOMEM. */
+int  gridlaplace_init(GridLaplace *l, Chart g, double *const phi[3], double central);
 void gridlaplace_free(GridLaplace *l);
 
 /* y = K x, the matrix of E: <x, K x> = E(x). */

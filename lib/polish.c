@@ -9,10 +9,16 @@
 #include "polish.h"
 #include "stats.h"
 
-static const double WORTH = 0.85;       /* a round that leaves more has gained nothing */
-static const double ENOUGH = 2e-4;      /* mean below which no round is worth its time */
-static const double FOLDED = 2e-3;      /* mean above which a second one without gain is let pass: from
-                                         * a start with folds the way may go uphill */
+/* Two stages: the first finds the way from far; the second, where the surface turns much within
+ * a cell and that has left more than UNDONE of the mean coefficient, goes on to a grid as
+ * conformal as central differences can tell (gridlaplace.h).  A round that leaves more
+ * than worth of the mean has gained nothing. */
+static const struct { double central, worth; } STAGE[] = { { 0.5, 0.85 }, { 0.9, 0.94 } };
+enum { STAGES = 2, PATIENCE = 3 };
+static const double UNDONE = 1e-3;
+static const double FOLDED = 2e-3;      /* mean above which so many rounds without gain end the
+                                         * first stage, not one: from a start with folds the way
+                                         * may go uphill */
 
 static int
 grid_alloc(Grid *a, Chart g)
@@ -59,12 +65,12 @@ typedef struct Shift {
 } Shift;
 
 static int
-find_shift(const Grid *a, Shift *s)
+find_shift(const Grid *a, double central, Shift *s)
 {
 	size_t n = (size_t)a->g.nu*a->g.nv, p;
 	double Ea, Eb;
 	GridLaplace l;
-	int e = gridlaplace_init(&l, a->g, a->phi), e1 = 0;
+	int e = gridlaplace_init(&l, a->g, a->phi, central), e1 = 0;
 
 	if (e)
 		return e;
@@ -196,9 +202,9 @@ state_copy(const State *from, State *to)
 
 /* From a by one round to b; mu is room for the inner nodes. */
 static int
-advance(const Sampler *sampler, const State *a, State *b, Shift *shift, double *mu)
+advance(const Sampler *sampler, double central, const State *a, State *b, Shift *shift, double *mu)
 {
-	int e = find_shift(&a->grid, shift);
+	int e = find_shift(&a->grid, central, shift);
 
 	if (e)
 		return e;
@@ -209,29 +215,46 @@ advance(const Sampler *sampler, const State *a, State *b, Shift *shift, double *
 	return 0;
 }
 
+/* The next stage if there is to be one, from the best grid, when there were `idle` rounds
+ * without gain in this. */
+static int
+next_stage(int stage, const State *best, State *now, int *idle)
+{
+	if (*idle < (stage == 0 && best->mean > FOLDED ? PATIENCE : 1))
+		return stage;
+	*idle = 0;
+	state_copy(best, now);
+	return best->mean > UNDONE ? stage + 1 : STAGES;
+}
+
 /* best is the start on entry. */
 static int
-iterate(const Sampler *sampler, State *best, State work[2], int rounds, Shift *shift, double *mu, int *done)
+iterate(const Sampler *sampler, State *best, State work[2], int rounds, double enough, Shift *shift,
+	double *mu, int *done)
 {
-	int k, e, idle = 0;
+	int k, e, idle = 0, stage = 0;
+	State *now, *next;
 
 	best->mean = mean_beltrami(&best->grid, mu);
 	state_copy(best, &work[0]);
-	for (k = 0; k < rounds && best->mean > ENOUGH && idle < (best->mean > FOLDED ? 2 : 1); k++) {
-		e = advance(sampler, &work[k%2], &work[(k+1)%2], shift, mu);
+	for (k = 0; k < rounds && best->mean > enough && stage < STAGES; k++) {
+		now = &work[k%2], next = &work[(k+1)%2];
+		e = advance(sampler, STAGE[stage].central, now, next, shift, mu);
 		if (e)
 			return e;
-		idle = work[(k+1)%2].mean < WORTH*best->mean ? 0 : idle + 1;
-		if (!(work[(k+1)%2].mean < best->mean))
-			continue;
-		state_copy(&work[(k+1)%2], best);
-		*done = k + 1;
+		idle = next->mean < STAGE[stage].worth*best->mean ? 0 : idle + 1;
+		if (next->mean < best->mean) {
+			state_copy(next, best);
+			*done = k + 1;
+		}
+		stage = next_stage(stage, best, next, &idle);
 	}
 	return 0;
 }
 
 int
-polish(const Sampler *sampler, Grid *a, int rounds, int n, double *pu, double *pv, int *done)
+polish(const Sampler *sampler, Grid *a, int rounds, double enough, int n, double *pu, double *pv,
+	int *done)
 {
 	size_t nodes = (size_t)a->g.nu*a->g.nv;
 	double *room = malloc(3*nodes*sizeof *room);
@@ -242,7 +265,7 @@ polish(const Sampler *sampler, Grid *a, int rounds, int n, double *pu, double *p
 	*done = 0;
 	e = e || e1 || !room ? POLISH_ENOMEM : 0;
 	if (!e && rounds > 0)
-		e = iterate(sampler, &best, work, rounds, &shift, room + 2*nodes, done);
+		e = iterate(sampler, &best, work, rounds, enough, &shift, room + 2*nodes, done);
 	*a = best.grid;
 	state_free(&work[0]);
 	state_free(&work[1]);
