@@ -12,11 +12,13 @@ eigenvalues(PlaneLaplace *p, int axis, double step, int cells)
 	double t;
 
 	p->stiff[axis] = malloc(p->n[axis]*sizeof(double));
-	if (!p->stiff[axis])
+	p->mass[axis] = malloc(p->n[axis]*sizeof(double));
+	if (!p->stiff[axis] || !p->mass[axis])
 		return PLANELAPLACE_ENOMEM;
 	for (k = 0; k < p->n[axis]; k++) {
 		t = M_PI*(k + sines)/cells;
 		p->stiff[axis][k] = (2 - 2*cos(t))/step;
+		p->mass[axis][k] = (4 + 2*cos(t))*step/6;
 	}
 	return 0;
 }
@@ -31,8 +33,10 @@ planelaplace_free(PlaneLaplace *p)
 		fftw_destroy_plan(p->plan);
 	}
 	free(p->work);
-	for (a = 0; a < 2; a++)
+	for (a = 0; a < 2; a++) {
 		free(p->stiff[a]);
+		free(p->mass[a]);
+	}
 }
 
 int
@@ -68,7 +72,7 @@ planelaplace_init(PlaneLaplace *p, Chart g, int axis)
 void
 planelaplace_solve(const PlaneLaplace *p, const double *r, double *z)
 {
-	double norm = (p->g.nu - 1.0)*(p->g.nv - 1.0), h = chart_h(p->g), k = chart_k(p->g);
+	double norm = (p->g.nu - 1.0)*(p->g.nv - 1.0);
 	int i, j, nu = p->n[0], nv = p->n[1];
 	size_t q, node;
 
@@ -84,7 +88,7 @@ planelaplace_solve(const PlaneLaplace *p, const double *r, double *z)
 	fftw_execute(p->plan);
 	for (q = 0, j = 0; j < nv; j++)
 		for (i = 0; i < nu; i++, q++)
-			p->work[q] /= norm*(p->stiff[0][i]*k + h*p->stiff[1][j]);
+			p->work[q] /= norm*(p->stiff[0][i]*p->mass[1][j] + p->mass[0][i]*p->stiff[1][j]);
 	fftw_execute(p->plan);
 	memset(z, 0, (size_t)p->g.nu*p->g.nv*sizeof *z);
 	for (q = 0, j = 0; j < nv; j++)

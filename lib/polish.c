@@ -9,13 +9,16 @@
 #include "polish.h"
 #include "stats.h"
 
-/* Two stages: the first finds the way from far; the second, where the surface turns much within
- * a cell and that has left more than UNDONE of the mean coefficient, goes on to a grid as
- * conformal as central differences can tell (gridlaplace.h).  A round that leaves more
+/* Two stages: the first finds the way from far and is all there is on most surfaces; where the
+ * surface turns much within a cell and that has left more than UNDONE of the mean
+ * coefficient, the second goes on to a grid as conformal as the nodes can tell, which costs
+ * the cells some of theirs, and so those who integrate over them.  A round that leaves more
  * than worth of the mean has gained nothing. */
-static const struct { double central, worth; } STAGE[] = { { 0.5, 0.85 }, { 0.9, 0.94 } };
+static const struct { int metric; double worth; } STAGE[] = {
+	{ GRIDLAPLACE_CELLS, 0.85 }, { GRIDLAPLACE_NODES, 0.97 }
+};
 enum { STAGES = 2, PATIENCE = 3 };
-static const double UNDONE = 1e-3;
+static const double UNDONE = 4e-3;
 static const double FOLDED = 2e-3;      /* mean above which so many rounds without gain end the
                                          * first stage, not one: from a start with folds the way
                                          * may go uphill */
@@ -65,12 +68,12 @@ typedef struct Shift {
 } Shift;
 
 static int
-find_shift(const Grid *a, double central, Shift *s)
+find_shift(const Grid *a, int metric, Shift *s)
 {
 	size_t n = (size_t)a->g.nu*a->g.nv, p;
 	double Ea, Eb;
 	GridLaplace l;
-	int e = gridlaplace_init(&l, a->g, a->phi, central), e1 = 0;
+	int e = gridlaplace_init(&l, a->g, a->phi, metric), e1 = 0;
 
 	if (e)
 		return e;
@@ -202,9 +205,9 @@ state_copy(const State *from, State *to)
 
 /* From a by one round to b; mu is room for the inner nodes. */
 static int
-advance(const Sampler *sampler, double central, const State *a, State *b, Shift *shift, double *mu)
+advance(const Sampler *sampler, int metric, const State *a, State *b, Shift *shift, double *mu)
 {
-	int e = find_shift(&a->grid, central, shift);
+	int e = find_shift(&a->grid, metric, shift);
 
 	if (e)
 		return e;
@@ -239,7 +242,7 @@ iterate(const Sampler *sampler, State *best, State work[2], int rounds, double e
 	state_copy(best, &work[0]);
 	for (k = 0; k < rounds && best->mean > enough && stage < STAGES; k++) {
 		now = &work[k%2], next = &work[(k+1)%2];
-		e = advance(sampler, STAGE[stage].central, now, next, shift, mu);
+		e = advance(sampler, STAGE[stage].metric, now, next, shift, mu);
 		if (e)
 			return e;
 		idle = next->mean < STAGE[stage].worth*best->mean ? 0 : idle + 1;

@@ -27,9 +27,8 @@ void grid_free(Grid *a);
 
 /* At most so many rounds, fewer when they gain nothing more or when the mean modulus of the
  * Beltrami coefficient over the inner nodes is no more than enough; what is kept is the
- * round that has the least mean.  Where the surface turns much within a cell and that mean
- * stays above 1e-3, rounds by central differences nearly alone follow on those by a mean of them
- * and of the cells' own.
+ * round that has the least mean.  Where the surface turns much within a cell and that mean stays
+ * above 4e-3, rounds by the metric of the nodes follow on those by that of the cells.
  *
  * a        in/out
  * pu, pv   in/out  [n] points carried along, in the chart of a; n may be 0
