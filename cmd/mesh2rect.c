@@ -39,7 +39,7 @@ static const char text[] =
 CMD_USAGE
 "Where the facets are split at last the map is of quadratic elements, and on smooth surfaces\n"
 "and a grid as fine as the mesh H is of the second order of the mesh size (1000 to 64000\n"
-"vertices, orders: torus 2.0 2.0 1.95, catenoid 2.1 2.0 2.1); a mesh too large\n"
+"vertices, orders: torus 2.0 2.0 2.0, catenoid 2.1 2.0 2.0); a mesh too large\n"
 "to be split, more than a quarter of --max-vertices, has linear ones and H of the first\n"
 "order; over facets H does not converge, it sits on the edges.  Under -v: what was\n"
 "reached.\n";
