@@ -26,20 +26,23 @@ static const char text[] =
 "      --flip         turn the normal of the surface\n"
 "      --tolerance=X  split the facets where the map errs most until its certificate\n"
 "                     sqrt(E(u) E(v/T)) - 1, E the Dirichlet energy, is at most X, 0..1 [1e-3]\n"
-"      --split=N      at last split every facet into four, N times, 0..8 [1]\n"
+"      --split=N      at last split every facet into four, N times, and take quadratic elements\n"
+"                     on what there was before the last, 0..8 [1]\n"
 "      --max-vertices=N  neither beyond about N vertices, 0..100000000 [300000]\n"
 "      --surface=smooth|facets  between the vertices the surface is C1 and cubic\n"
 "                     (Clough-Tocher over the chart) or flat [smooth]\n"
 "      --polish=N     at most N rounds that map the grid by its own metric, each kept only if\n"
-"                     the grid becomes more conformal, 0..100 [8]\n"
+"                     the grid becomes more conformal, 0..100 [12]\n"
 "      --allow-flips  go on when the map turns triangles over\n"
 "      --uv=FILE      write the mesh as it was read, with its (u,v), to FILE .obj or .ply:\n"
 "                     for textures, and for grid2mesh --on; vertices of no face get -1,-1\n"
 CMD_USAGE
-"On smooth surfaces and a grid as fine as the mesh, H converges with about the second\n"
-"order of the mesh size (--split=2, 1000 to 64000 vertices: torus 2.0 2.4 1.8, catenoid\n"
-"2.1 1.1 1.6); over facets it does not converge, it sits on the edges.  Under -v: what\n"
-"was reached.\n";
+"Where the facets are split at last the map is of quadratic elements, and on smooth surfaces\n"
+"and a grid as fine as the mesh H is of the second order of the mesh size (1000 to 64000\n"
+"vertices, orders: torus 2.0 2.0 2.0, catenoid 2.1 2.0 2.0); a mesh too large\n"
+"to be split, more than a quarter of --max-vertices, has linear ones and H of the first\n"
+"order; over facets H does not converge, it sits on the edges.  Under -v: what was\n"
+"reached.\n";
 
 enum { FLIP = 256, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, ALLOW, UV = CMD_UNRECORDED };
 
@@ -120,7 +123,7 @@ add_positions(Lhg *out, const Grid *grid)
 int
 main(int argc, char *argv[])
 {
-	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 8, 0 };
+	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0 };
 	const char *corners = NULL, *uv = NULL;
 	Chart g = { 257, 257, 1 };
 	int opt, corner[4], flip = 0;

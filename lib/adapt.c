@@ -71,7 +71,7 @@ mark(const AdaptMap *m, int most, unsigned char *marked)
 }
 
 static int
-solve(AdaptMap *m, const int vertex[4], SpdReport *report)
+solve(AdaptMap *m, const Disk *coarse, const int vertex[4], SpdReport *report)
 {
 	int i, k;
 
@@ -85,7 +85,7 @@ solve(AdaptMap *m, const int vertex[4], SpdReport *report)
 		for (k = 0; k < 4; k++)
 			if (m->d.loop[i] == vertex[k])
 				m->corner[k] = i;
-	return rectmap(&m->d, m->corner, m->u, m->v, &m->T, &m->certificate, report);
+	return rectmap(&m->d, coarse, m->corner, m->u, m->v, &m->T, &m->certificate, report);
 }
 
 /* The marked faces into four; frees marked. */
@@ -104,22 +104,41 @@ replace(AdaptMap *m, unsigned char *marked)
 	return 0;
 }
 
-/* Into four: all faces, or at most so many of those that the certificate asks for. */
+/* At most so many of the faces that the certificate asks for into four. */
 static int
-split(AdaptMap *m, int all, int most)
+split(AdaptMap *m, int most)
 {
 	unsigned char *marked = malloc(m->d.m.nf);
-	int e = marked ? 0 : SPD_ENOMEM;
 
-	if (!e && all)
-		memset(marked, 1, m->d.m.nf);
-	else if (!e)
-		e = mark(m, most, marked);
-	if (e) {
+	if (!marked || mark(m, most, marked)) {
 		free(marked);
-		return e;
+		return SPD_ENOMEM;
 	}
 	return replace(m, marked);
+}
+
+/* All faces into four, so often as there is room, and quadratic elements on what there was
+ * before the last time. */
+static int
+split_all(AdaptMap *m, const AdaptOptions *o, const int vertex[4], SpdReport *report)
+{
+	Disk coarse = { 0 }, finer;
+	int k, e = 0;
+
+	for (k = 0; !e && k < o->split && m->d.m.nv <= o->most/4; k++) {
+		e = refine_split(&m->d, NULL, &finer) ? SPD_ENOMEM : 0;
+		if (e)
+			break;
+		disk_free(&coarse);
+		coarse = m->d;
+		m->d = finer;
+		m->rounds++;
+	}
+	m->quadratic = k > 0;
+	if (!e && k > 0)
+		e = solve(m, &coarse, vertex, report);
+	disk_free(&coarse);
+	return e;
 }
 
 /* The faces at the corners into four: where the boundary is smooth the map is singular
@@ -154,7 +173,7 @@ duplicate(const void *p, size_t bytes)
 	return q ? memcpy(q, p, bytes) : NULL;
 }
 
-/* The mesh and the loop of d, nothing shared. */
+/* The mesh, the loop and the twins of d, nothing shared. */
 static int
 copy_disk(const Disk *d, Disk *copy)
 {
@@ -162,7 +181,8 @@ copy_disk(const Disk *d, Disk *copy)
 	copy->m.xyz = duplicate(d->m.xyz, 3*(size_t)d->m.nv*sizeof(double));
 	copy->m.tri = duplicate(d->m.tri, 3*(size_t)d->m.nf*sizeof(int));
 	copy->loop = duplicate(d->loop, d->nb*sizeof(int));
-	return copy->m.xyz && copy->m.tri && copy->loop ? 0 : SPD_ENOMEM;
+	copy->twin = duplicate(d->twin, 3*(size_t)d->m.nf*sizeof(int));
+	return copy->m.xyz && copy->m.tri && copy->loop && copy->twin ? 0 : SPD_ENOMEM;
 }
 
 int
@@ -175,16 +195,14 @@ adapt_map(const Disk *d, const int vertex[4], const AdaptOptions *o, AdaptMap *a
 	for (k = 0; !e && k < GRADED && o->tolerance < 1 && a->d.m.nv < o->most; k++)
 		e = split_corners(a, vertex);
 	if (!e)
-		e = solve(a, vertex, report);
+		e = solve(a, NULL, vertex, report);
 	while (!e && a->certificate > o->tolerance && a->d.m.nv < o->most) {
-		e = split(a, 0, (o->most - a->d.m.nv)/2);
+		e = split(a, (o->most - a->d.m.nv)/2);
 		if (!e)
-			e = solve(a, vertex, report);
+			e = solve(a, NULL, vertex, report);
 	}
-	for (k = 0; !e && k < o->split && a->d.m.nv <= o->most/4; k++)
-		e = split(a, 1, 0);
-	if (!e && k > 0)
-		e = solve(a, vertex, report);
+	if (!e)
+		e = split_all(a, o, vertex, report);
 	if (e)
 		adapt_free(a);
 	return e;

@@ -13,8 +13,9 @@
  * each term >= 0 and 0 only where the triangle is mapped conformally: it says which
  * triangles to split.
  *
- * Splitting all of them at last makes (u,v) at the mesh's own vertices smooth: on the mesh
- * as given they err by O(h^2) each in its own way, which costs H its second order. */
+ * Splitting all of them at last gives the midpoints of their sides to quadratic elements,
+ * which make (u,v) smooth: with linear ones every vertex errs by O(h^2) in its own way, which
+ * costs H its second order. */
 typedef struct AdaptOptions {
 	double tolerance;       /* below 1: split the facets at the corners three times, then
 	                         * those with the largest terms until this is met.. */
@@ -28,6 +29,7 @@ typedef struct AdaptMap {
 	int     corner[4];      /* in its loop */
 	double *u, *v, T, certificate;
 	int     rounds;         /* of splitting */
+	int     quadratic;      /* the elements of the last solve */
 } AdaptMap;
 
 /* vertex: the corners, as vertex numbers.  Returns 0, or SPD_ENOMEM, SPD_EINDEFINITE,

@@ -5,22 +5,26 @@
 #include "conformal.h"
 #include "untangle.h"
 
+/* Mean residual coefficient below which no polish is worth its time: H then errs by the
+ * roughness of (u,v) of linear elements; with quadratic ones, by what the polish leaves. */
+static const double ENOUGH = 2e-4;
+
 /* Sample the mesh of the map and polish the grid; the vertices of d are carried along. */
 static int
 sample(const Disk *d, const AdaptMap *a, Chart g, const ConformalOptions *options, Conformal *c)
 {
-	const Mesh *m = options->surface == SAMPLER_SMOOTH ? &d->m : &a->d.m;
+	const Disk *sampled = options->surface == SAMPLER_SMOOTH ? d : &a->d;
 	Sampler s;
 	int e;
 
-	if (sampler_init(&s, m, a->u, a->v, a->T, options->surface))
+	if (sampler_init(&s, sampled, a->u, a->v, a->T, options->surface))
 		return SPD_ENOMEM;
 	g.T = a->T;
 	e = grid_init(&c->grid, g, &s);
 	if (!e) {
 		memcpy(c->u, a->u, d->m.nv*sizeof *c->u);
 		memcpy(c->v, a->v, d->m.nv*sizeof *c->v);
-		e = polish(&s, &c->grid, options->polish, d->m.nv, c->u, c->v, &c->polished);
+		e = polish(&s, &c->grid, options->polish, a->quadratic ? 0 : ENOUGH, d->m.nv, c->u, c->v, &c->polished);
 	}
 	sampler_free(&s);
 	return e ? SPD_ENOMEM : 0;

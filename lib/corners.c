@@ -36,24 +36,43 @@ scaled_sub3(const double a[3], const double b[3], double scale, double c[3])
 		c[k] *= scale;
 }
 
-/* The sum of the normals of a vertex's faces, for all vertices.  Lengths are taken in
+/* Adds the normal of a face to those of its corners. */
+static void
+add_normal(const Mesh *m, const int *t, double unit, double *n)
+{
+	double a[3], b[3], c[3];
+	int i, k;
+
+	scaled_sub3(&m->xyz[3*t[1]], &m->xyz[3*t[0]], 1/unit, a);
+	scaled_sub3(&m->xyz[3*t[2]], &m->xyz[3*t[0]], 1/unit, b);
+	cross3(a, b, c);
+	for (i = 0; i < 3; i++)
+		for (k = 0; k < 3; k++)
+			n[3*t[i] + k] += c[k];
+}
+
+/* The sum of the normals of a vertex's faces, for those of the loop.  Lengths are taken in
  * units of the loop, here and in turn, so that no product leaves the range of numbers. */
 static double *
-normals(const Mesh *m, double unit)
+normals(const Disk *d, double unit)
 {
-	double *n = calloc(m->nv, 3*sizeof *n), a[3], b[3], c[3];
-	int f, i, k;
+	double *n = calloc(d->m.nv, 3*sizeof *n);
+	char *outer = calloc(d->m.nv, 1);
+	int f, i;
 
-	for (f = 0; n && f < m->nf; f++) {
-		const int *t = &m->tri[3*f];
+	for (i = 0; outer && i < d->nb; i++)
+		outer[d->loop[i]] = 1;
+	for (f = 0; n && outer && f < d->m.nf; f++) {
+		const int *t = &d->m.tri[3*f];
 
-		scaled_sub3(&m->xyz[3*t[1]], &m->xyz[3*t[0]], 1/unit, a);
-		scaled_sub3(&m->xyz[3*t[2]], &m->xyz[3*t[0]], 1/unit, b);
-		cross3(a, b, c);
-		for (i = 0; i < 3; i++)
-			for (k = 0; k < 3; k++)
-				n[3*t[i] + k] += c[k];
+		if (outer[t[0]] | outer[t[1]] | outer[t[2]])
+			add_normal(&d->m, t, unit, n);
 	}
+	if (!outer) {
+		free(n);
+		n = NULL;
+	}
+	free(outer);
 	return n;
 }
 
@@ -182,7 +201,7 @@ by_shape(const Disk *d, const double *s, const double *n, double *angle, int cor
 int
 corners_auto(const Disk *d, int corner[4])
 {
-	double *s = arc_length(d), *n = s ? normals(&d->m, s[d->nb]) : NULL;
+	double *s = arc_length(d), *n = s ? normals(d, s[d->nb]) : NULL;
 	double *angle = malloc(d->nb*sizeof *angle);
 	int found = CORNERS_ENOMEM;
 

@@ -167,6 +167,45 @@ cotangent_init(Cotangent *C, const Disk *d)
 	return 0;
 }
 
+/* Row i of a matrix, scaled, to place k of another; returns the place behind. */
+static int
+append_row(Cotangent *to, int k, const Cotangent *C, int i, double factor)
+{
+	int l;
+
+	for (l = C->g.first[i]; l < C->g.first[i+1]; l++, k++) {
+		to->g.adj[k] = C->g.adj[l];
+		to->c[k] = factor*C->c[l];
+	}
+	return k;
+}
+
+int
+cotangent_quadratic(Cotangent *fine, const Cotangent *coarse)
+{
+	size_t n = fine->g.n, places = fine->g.first[n] + (size_t)coarse->g.first[coarse->g.n];
+	Cotangent C = { .g = { .n = n } };
+	int i, k = 0;
+
+	C.g.first = malloc((n + 1)*sizeof *C.g.first);
+	C.g.adj = malloc(places*sizeof *C.g.adj);
+	C.c = malloc(places*sizeof *C.c);
+	if (!C.g.first || !C.g.adj || !C.c) {
+		cotangent_free(&C);
+		return COTANGENT_ENOMEM;
+	}
+	for (i = 0; i < fine->g.n; i++) {
+		C.g.first[i] = k;
+		k = append_row(&C, k, fine, i, 4.0/3);
+		if (i < coarse->g.n)
+			k = append_row(&C, k, coarse, i, -1.0/3);
+	}
+	C.g.first[n] = k;
+	cotangent_free(fine);
+	*fine = C;
+	return 0;
+}
+
 void
 cotangent_free(Cotangent *C)
 {

@@ -18,6 +18,12 @@ typedef struct Cotangent {
 int  cotangent_init(Cotangent *C, const Disk *d);
 void cotangent_free(Cotangent *C);
 
+/* The stiffness matrix of quadratic elements on a mesh, whose unknowns are the values at its
+ * vertices and, after them, at the midpoints of its edges: with every triangle split
+ * into four at the midpoints it is (4 C_fine - C_coarse)/3, C_coarse being 0 at the
+ * midpoints.  fine becomes it.  Returns 0 or COTANGENT_ENOMEM; fine is then what it was. */
+int cotangent_quadratic(Cotangent *fine, const Cotangent *coarse);
+
 /* y = C x. */
 void cotangent_apply(const Mesh *m, const double *x, double *y);
 

@@ -159,6 +159,27 @@ orient(Disk *d, Topology *t)
 	return e;
 }
 
+/* One component, with one fan at every vertex: looked for at the same time. */
+static int
+checkwhole(const Topology *t)
+{
+	char err[MESH_ERRLEN];
+	Topology other = *t;
+	int e = 0, e1 = 0;
+
+	other.err = err;
+#pragma omp parallel sections
+	{
+#pragma omp section
+		e = topology_connected(t);
+#pragma omp section
+		e1 = topology_fans(&other);
+	}
+	if (!e && e1)
+		memcpy(t->err, err, sizeof err);
+	return e ? e : e1;
+}
+
 static int
 checkdisk(Disk *d)
 {
@@ -169,9 +190,9 @@ checkdisk(Disk *d)
 		return e;
 	if (t.odd)
 		e = orient(d, &t);
-	if (!e && (e = topology_connected(&t)) == 0 && (e = topology_fans(&t)) == 0)
+	if (!e && (e = checkwhole(&t)) == 0)
 		e = topology_loop(&t, &d->loop, &d->nb);
-	free(t.twin);
+	d->twin = t.twin;
 	return e;
 }
 
@@ -216,15 +237,24 @@ disk_from_soup(Disk *d, const Soup *s)
 	return e;
 }
 
+/* Side k of a face that is turned. */
+static int
+flipped(int side)
+{
+	return side < 0 ? side : side - side%3 + (2 - side%3);
+}
+
 void
 disk_flip(Disk *d)
 {
 	int f, i, t;
 
 	for (f = 0; f < d->m.nf; f++) {
-		int *c = d->m.tri + 3*(size_t)f;
+		int *c = d->m.tri + 3*(size_t)f, *twin = d->twin + 3*(size_t)f;
 
 		t = c[1], c[1] = c[2], c[2] = t;
+		t = twin[0], twin[0] = flipped(twin[2]), twin[2] = flipped(t);
+		twin[1] = flipped(twin[1]);
 	}
 	for (i = 1; i < d->nb - i; i++)
 		t = d->loop[i], d->loop[i] = d->loop[d->nb - i], d->loop[d->nb - i] = t;

@@ -87,13 +87,12 @@ longest2(const Mesh *m, const int *tri)
 	return most;
 }
 
-/* By how much the jet at i may be scaled to keep the limits along the side i j of a
- * triangle with longest side L, L2 its square: 1 if it keeps them as it is.
- * |s phi'(e) - d| is at most s |phi'(e) - d| + (1 - s) |d|. */
-static double
-room(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j, double L2)
+/* Along the side i j: the step d in R^3, what phi' misses of it, and phi''/8. */
+static void
+along(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j,
+	double d[3], double first[3], double second[3])
 {
-	double du = u[j] - u[i], dv = v[j] - v[i], d[3], first[3], second[3], bend, turn, L, s = 1;
+	double du = u[j] - u[i], dv = v[j] - v[i];
 	int c;
 
 	sub3(&m->xyz[3*j], &m->xyz[3*i], d);
@@ -101,6 +100,17 @@ room(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int
 		first[c] = jet->u[c]*du + jet->v[c]*dv - d[c];
 		second[c] = (jet->uu[c]*du*du + 2*jet->uv[c]*du*dv + jet->vv[c]*dv*dv)/8;
 	}
+}
+
+/* By how much the jet at i may be scaled to keep the limits along the side i j of a
+ * triangle with longest side L, L2 its square: 1 if it keeps them as it is.
+ * |s phi'(e) - d| is at most s |phi'(e) - d| + (1 - s) |d|. */
+static double
+room(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j, double L2)
+{
+	double d[3], first[3], second[3], bend, turn, L, s = 1;
+
+	along(m, u, v, jet, i, j, d, first, second);
 	bend = dot3(first, first);
 	turn = dot3(second, second);
 	if (bend <= GRADIENT_BEND*GRADIENT_BEND*L2 && turn <= GRADIENT_BEND*GRADIENT_BEND*L2)
@@ -115,6 +125,23 @@ room(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int
 	if (!(turn <= GRADIENT_BEND*L))
 		s = fmin(s, GRADIENT_BEND*L/turn);
 	return fmax(s, 0);
+}
+
+/* Does the jet at v[0] keep the limits with every side to the vertices v[1], .. in place
+ * of longer ones?  That is nearly always so. */
+static int
+keeps(const Mesh *m, const double *u, const double *v, const Jet *jet, const int *ring, int n)
+{
+	double d[3], first[3], second[3], L2;
+	int k;
+
+	for (k = 1; k < n; k++) {
+		along(m, u, v, jet, ring[0], ring[k], d, first, second);
+		L2 = GRADIENT_BEND*GRADIENT_BEND*dot3(d, d);
+		if (!(dot3(first, first) <= L2 && dot3(second, second) <= L2))
+			return 0;
+	}
+	return 1;
 }
 
 static double
@@ -154,19 +181,22 @@ vertex(const Mesh *m, const Stars *s, const double *u, const double *v, int i, J
 {
 	Hood h = { 0 };
 	double most = 0;
-	int ring, degree;
+	int ring, degree, near = 0;      /* members of the first ring */
 	Polyfit f;
 
 	join(&h, i);
 	for (f.rank = 0, ring = 1; ring <= RINGS && f.rank < POLYFIT_TERMS; ring++) {
 		grow(m, s, &h);
+		if (ring == 1)
+			near = h.n;
 		if (ring < 2 || (h.n <= WANT && ring < RINGS))
 			continue;
 		polyfit(&f, &h, m, u, v);
 	}
 	for (degree = 3; degree > 0; degree--) {
 		polyfit_jet(&f, degree, jet);
-		most = least_room(m, s, u, v, jet, i);
+		most = s->first[i+1] - s->first[i] <= FAN && keeps(m, u, v, jet, h.v, near) ? 1
+		    : least_room(m, s, u, v, jet, i);
 		if (most >= 1)
 			break;
 	}

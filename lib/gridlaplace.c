@@ -46,37 +46,54 @@ differentiate(Chart g, double *const phi[3])
 	return node;
 }
 
-/* The tangents at (x,y) of the unit cell: half from the differences of its own corners, half
- * from the central differences by which lambda and H will be taken.  The first alone
- * leave a grid that is conformal in another sense than it is used in; the second do not
- * see the odd-even mode.  The mean of both left 1.5 to 2 times less of the Beltrami
- * coefficient than either on all meshes tried. */
+/* A cell: its corners (i,j) (i+1,j) (i,j+1) (i+1,j+1). */
+typedef struct Cell {
+	const Node *corner[4];
+	double      h, k;
+} Cell;
+
+/* Where a cell's metric is taken, as distances from its middle, and what central differences
+ * have in the tangents.  Of those by which lambda and H will be taken, the cell's own leave a
+ * grid that is conformal in another sense than it is used in; central ones do not see the
+ * odd-even mode.  At Gauss points the mean of both left 1.5 to 2 times less of the Beltrami
+ * coefficient than either; on buddha_laughing_15k at 257 x 257 a median of .0017.  At the
+ * corners it is .0014 with the mean, .0010 with 0.9 central, and lasts twice the rounds. */
+static const struct { double from_middle, central; } METRIC[] = {
+	[GRIDLAPLACE_CELLS] = { 0.28867513459481288, 0.5 },     /* 1/sqrt(12) */
+	[GRIDLAPLACE_NODES] = { 0.5, 0.9 },
+};
+
+/* The tangents at (x,y) of the unit cell; du and dv are the derivatives of the corners'
+ * functions there. */
 static void
-tangents(const Node *const corner[4], double x, double y, const double du[4], const double dv[4],
+tangents(const Cell *cell, double central, double x, double y, const double du[4], const double dv[4],
 	double phi_u[3], double phi_v[3])
 {
 	double shape[4] = { (1 - x)*(1 - y), x*(1 - y), (1 - x)*y, x*y };
+	const Node *p;
 	int a, c;
 
 	for (c = 0; c < 3; c++) {
 		phi_u[c] = phi_v[c] = 0;
 		for (a = 0; a < 4; a++) {
-			phi_u[c] += (shape[a]*corner[a]->phi_u[c] + du[a]*corner[a]->phi[c])/2;
-			phi_v[c] += (shape[a]*corner[a]->phi_v[c] + dv[a]*corner[a]->phi[c])/2;
+			p = cell->corner[a];
+			phi_u[c] += central*shape[a]*p->phi_u[c] + (1 - central)*du[a]*p->phi[c];
+			phi_v[c] += central*shape[a]*p->phi_v[c] + (1 - central)*dv[a]*p->phi[c];
 		}
 	}
 }
 
-/* Adds one Gauss point (x,y) to the lower triangle m of a cell's matrix. */
+/* Adds the point (x,y) to the lower triangle m of the cell's matrix. */
 static void
-add_gauss_point(const Node *const corner[4], double x, double y, double h, double k, double m[10])
+add_point(const Cell *cell, double central, double x, double y, double m[10])
 {
+	double h = cell->h, k = cell->k;
 	double du[4] = { -(1 - y)/h, (1 - y)/h, -y/h, y/h };
 	double dv[4] = { -(1 - x)/k, -x/k, (1 - x)/k, x/k };
 	double phi_u[3], phi_v[3], E, F, G, area;
 	int a, b;
 
-	tangents(corner, x, y, du, dv, phi_u, phi_v);
+	tangents(cell, central, x, y, du, dv, phi_u, phi_v);
 	E = dot3(phi_u, phi_u), F = dot3(phi_u, phi_v), G = dot3(phi_v, phi_v);
 	area = sqrt(fmax(E*G - F*F, 1e-6*E*G));         /* a flat cell stays finite */
 	if (!(area > 0))
@@ -86,23 +103,27 @@ add_gauss_point(const Node *const corner[4], double x, double y, double h, doubl
 			*m++ += (G*du[a]*du[b] - F*(du[a]*dv[b] + dv[a]*du[b]) + E*dv[a]*dv[b])/area*h*k/4;
 }
 
-/* The corners of a cell are (i,j) (i+1,j) (i,j+1) (i+1,j+1). */
 static void
-fill_cell(Chart g, const Node *node, int i, int j, double m[10])
+fill_row(GridLaplace *l, const Node *node, int j, int metric)
 {
-	const double at[2] = { 0.5 - 0.5/sqrt(3), 0.5 + 0.5/sqrt(3) };
-	const Node *p = node + (size_t)j*g.nu + i, *const corner[4] = { p, p + 1, p + g.nu, p + g.nu + 1 };
-	int q;
+	double *m = l->cell + 10*(size_t)j*(l->g.nu - 1), r = METRIC[metric].from_middle;
+	const Node *p = node + (size_t)j*l->g.nu;
+	int i, q;
 
-	for (q = 0; q < 4; q++)
-		add_gauss_point(corner, at[q%2], at[q/2], chart_h(g), chart_k(g), m);
+	for (i = 0; i < l->g.nu - 1; i++, p++, m += 10) {
+		Cell cell = { { p, p + 1, p + l->g.nu, p + l->g.nu + 1 }, chart_h(l->g), chart_k(l->g) };
+
+		for (q = 0; q < 4; q++)
+			add_point(&cell, METRIC[metric].central, q%2 ? 0.5 + r : 0.5 - r,
+			    q/2 ? 0.5 + r : 0.5 - r, m);
+	}
 }
 
 int
-gridlaplace_init(GridLaplace *l, Chart g, double *const phi[3])
+gridlaplace_init(GridLaplace *l, Chart g, double *const phi[3], int metric)
 {
 	Node *node = differentiate(g, phi);
-	int i, j;
+	int j;
 
 	l->g = g;
 	l->cell = calloc((size_t)(g.nu - 1)*(g.nv - 1), 10*sizeof *l->cell);
@@ -111,10 +132,9 @@ gridlaplace_init(GridLaplace *l, Chart g, double *const phi[3])
 		gridlaplace_free(l);
 		return GRIDLAPLACE_ENOMEM;
 	}
-	#pragma omp parallel for schedule(static) private(i)
+	#pragma omp parallel for schedule(static)
 	for (j = 0; j < g.nv - 1; j++)
-		for (i = 0; i < g.nu - 1; i++)
-			fill_cell(g, node, i, j, l->cell + 10*((size_t)j*(g.nu - 1) + i));
+		fill_row(l, node, j, metric);
 	free(node);
 	return 0;
 }

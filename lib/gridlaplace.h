@@ -5,7 +5,7 @@
  *
  *   E(f) = integral  <grad f, A grad f> du dv,    A = sqrt(det g) g^-1,  g = (E F; F G),
  *
- * by bilinear elements and 2 x 2 Gauss points, the tangents in g from cell and from central
+ * by bilinear elements and 2 x 2 points a cell, the tangents in g from cell and from central
  * differences.  A is the identity where phi is conformal
  * (DESIGN section 4, polish).
  */
@@ -16,14 +16,20 @@
 
 enum { GRIDLAPLACE_ENOMEM = -1 };
 
+enum {
+	GRIDLAPLACE_CELLS,      /* points of Gauss, half central differences */
+	GRIDLAPLACE_NODES       /* corners, nearly all central differences: the metric by which
+	                         * lambda and H are taken */
+};
+
 typedef struct GridLaplace {
 	Chart   g;
 	double *cell;           /* [cells][10] the lower triangle of each cell's 4 x 4 matrix */
 } GridLaplace;
 
-/* The matrices of phi[0], phi[1], phi[2], each [nv][nu].  Returns 0 or
+/* The matrices of phi[0], phi[1], phi[2], each [nv][nu], by one of these metrics.  Returns 0 or
  * GRIDLAPLACE_ENOMEM. */
-int  gridlaplace_init(GridLaplace *l, Chart g, double *const phi[3]);
+int  gridlaplace_init(GridLaplace *l, Chart g, double *const phi[3], int metric);
 void gridlaplace_free(GridLaplace *l);
 
 /* y = K x, the matrix of E: <x, K x> = E(x). */

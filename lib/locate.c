@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "locate.h"
-#include "topology.h"
 
 static const double INSIDE = -1e-10;    /* least barycentric coordinate of a hit */
 
@@ -132,22 +131,14 @@ fill_table(Locator *l)
 }
 
 int
-locator_init(Locator *l, const Mesh *m, const double *u, const double *v, double T)
+locator_init(Locator *l, const Disk *d, const double *u, const double *v, double T)
 {
-	Topology t = { .nv = m->nv, .nf = m->nf, .tri = m->tri };
-	char err[MESH_ERRLEN];
-	int n = 1 + (int)sqrt(m->nf);
+	int n = 1 + (int)sqrt(d->m.nf);
 
-	*l = (Locator){ .m = m, .u = u, .v = v, .nx = n, .ny = n, .T = T };
-	t.err = err;
-	if (topology_twins(&t))
-		return MESH_ENOMEM;
-	l->twin = t.twin;
+	*l = (Locator){ .m = &d->m, .u = u, .v = v, .twin = d->twin, .nx = n, .ny = n, .T = T };
 	l->start = malloc((size_t)n*n*sizeof *l->start);
-	if (!l->start) {
-		locator_free(l);
+	if (!l->start)
 		return MESH_ENOMEM;
-	}
 	fill_table(l);
 	return 0;
 }
@@ -155,7 +146,6 @@ locator_init(Locator *l, const Mesh *m, const double *u, const double *v, double
 void
 locator_free(Locator *l)
 {
-	free(l->twin);
 	free(l->start);
-	l->twin = l->start = NULL;
+	l->start = NULL;
 }

@@ -7,15 +7,15 @@
 typedef struct Locator {
 	const Mesh   *m;
 	const double *u, *v;
-	int          *twin;     /* [3*nf] side across, -1 on the boundary; side 3t+k starts at corner k */
+	const int    *twin;     /* [3*nf] of the disk */
 	int          *start;    /* [ny][nx] a triangle near each place of a table over the chart */
 	int           nx, ny;
 	double        T;
 } Locator;
 
-/* Get ready to locate points of [0,1] x [0,T] in m mapped by u, v, which must outlive l.
+/* Get ready to locate points of [0,1] x [0,T] in d mapped by u, v, which must outlive l.
  * Returns 0 or MESH_ENOMEM. */
-int  locator_init(Locator *l, const Mesh *m, const double *u, const double *v, double T);
+int  locator_init(Locator *l, const Disk *d, const double *u, const double *v, double T);
 void locator_free(Locator *l);
 
 /* The triangle that holds (x,y), and its barycentric coordinates there, each in 0..1.

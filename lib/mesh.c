@@ -57,9 +57,10 @@ disk_free(Disk *d)
 {
 	mesh_free(&d->m);
 	free(d->loop);
+	free(d->twin);
 	free(d->file);
 	free(d->became);
-	d->loop = d->file = d->became = NULL;
+	d->loop = d->twin = d->file = d->became = NULL;
 	d->nb = d->nfile = 0;
 }
 

@@ -46,6 +46,8 @@ typedef struct Disk {
 	int  nb;
 	int *loop;              /* [nb] the boundary, counterclockwise (faces on its left),
 	                         * beginning at its lowest vertex number */
+	int *twin;              /* [3*m.nf] the side across, -1 on the boundary; side 3*t+k goes
+	                         * from corner k of triangle t to the next */
 	int *file;              /* [m.nv] the number that each vertex has in the soup it came
 	                         * from; of welded ones the lowest */
 	int  nfile;

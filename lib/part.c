@@ -21,7 +21,8 @@
 enum {
 	BAND = 2,               /* edges that the band reaches on either side, or so */
 	AGAIN = 64,
-	SAMPLE = 4096           /* vertices that are enough to tell a level's place and worth */
+	SAMPLE = 1024,          /* vertices that are enough to tell a level's place and worth.. */
+	STRIDE = 16             /* ..or one in so many, of the largest pieces */
 };
 
 /* Distances from vertex a in edges to what it reaches among vertices of dist -1.  Returns
@@ -147,7 +148,7 @@ static void
 part_level(const Piece *p, signed char *side, int *work)
 {
 	static const int widths[4] = { 2*BAND, 2*BAND, 3*BAND, 3*BAND };
-	int stride = 1 + p->g.n/SAMPLE, i, x, n, level, best = 0, least = INT32_MAX, middle = 0;
+	int stride = p->g.n/SAMPLE < STRIDE ? 1 + p->g.n/SAMPLE : STRIDE, i, x, n, level, best = 0, least = INT32_MAX, middle = 0;
 
 	for (i = 0; i < 4; i++) {
 		level = median(p, i, stride, work);

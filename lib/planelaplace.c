@@ -28,8 +28,10 @@ planelaplace_free(PlaneLaplace *p)
 {
 	int a;
 
-	if (p->plan)
+	if (p->plan) {
+#pragma omp critical(planelaplace_plan)
 		fftw_destroy_plan(p->plan);
+	}
 	free(p->work);
 	for (a = 0; a < 2; a++) {
 		free(p->stiff[a]);
@@ -51,10 +53,12 @@ planelaplace_init(PlaneLaplace *p, Chart g, int axis)
 	e = p->work ? eigenvalues(p, 0, chart_h(g), g.nu - 1) : PLANELAPLACE_ENOMEM;
 	if (!e)
 		e = eigenvalues(p, 1, chart_k(g), g.nv - 1);
-	if (!e)
+	if (!e) {
+#pragma omp critical(planelaplace_plan)
 		p->plan = fftw_plan_r2r_2d(p->n[1], p->n[0], p->work, p->work,
 		    axis == 1 ? FFTW_RODFT00 : FFTW_REDFT00,
 		    axis == 0 ? FFTW_RODFT00 : FFTW_REDFT00, FFTW_ESTIMATE);
+	}
 	if (!e && !p->plan)
 		e = PLANELAPLACE_ENOMEM;
 	if (e)

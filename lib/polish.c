@@ -9,10 +9,19 @@
 #include "polish.h"
 #include "stats.h"
 
-static const double WORTH = 0.85;       /* a round that leaves more has gained nothing */
-static const double ENOUGH = 2e-4;      /* mean below which no round is worth its time */
-static const double FOLDED = 2e-3;      /* mean above which a second one without gain is let pass: from
-                                         * a start with folds the way may go uphill */
+/* Two stages: the first finds the way from far and is all there is on most surfaces; where the
+ * surface turns much within a cell and that has left more than UNDONE of the mean
+ * coefficient, the second goes on to a grid as conformal as the nodes can tell, which costs
+ * the cells some of theirs, and so those who integrate over them.  A round that leaves more
+ * than worth of the mean has gained nothing. */
+static const struct { int metric; double worth; } STAGE[] = {
+	{ GRIDLAPLACE_CELLS, 0.85 }, { GRIDLAPLACE_NODES, 0.97 }
+};
+enum { STAGES = 2, PATIENCE = 3 };
+static const double UNDONE = 4e-3;
+static const double FOLDED = 2e-3;      /* mean above which so many rounds without gain end the
+                                         * first stage, not one: from a start with folds the way
+                                         * may go uphill */
 
 static int
 grid_alloc(Grid *a, Chart g)
@@ -59,21 +68,25 @@ typedef struct Shift {
 } Shift;
 
 static int
-find_shift(const Grid *a, Shift *s)
+find_shift(const Grid *a, int metric, Shift *s)
 {
 	size_t n = (size_t)a->g.nu*a->g.nv, p;
 	double Ea, Eb;
 	GridLaplace l;
-	int e = gridlaplace_init(&l, a->g, a->phi);
+	int e = gridlaplace_init(&l, a->g, a->phi, metric), e1 = 0;
 
 	if (e)
 		return e;
-	e = gridlaplace_harmonic(&l, 0, s->du, &Ea);
-	if (!e)
-		e = gridlaplace_harmonic(&l, 1, s->dv, &Eb);
+#pragma omp parallel sections
+	{
+#pragma omp section
+		e = gridlaplace_harmonic(&l, 0, s->du, &Ea);
+#pragma omp section
+		e1 = gridlaplace_harmonic(&l, 1, s->dv, &Eb);
+	}
 	gridlaplace_free(&l);
-	if (e)
-		return e;
+	if (e || e1)
+		return e ? e : e1;
 	s->T = sqrt(Ea/Eb);
 	for (p = 0; p < n; p++) {
 		s->du[p] = s->du[p]*(a->g.nu - 1) - p%a->g.nu;
@@ -192,9 +205,9 @@ state_copy(const State *from, State *to)
 
 /* From a by one round to b; mu is room for the inner nodes. */
 static int
-advance(const Sampler *sampler, const State *a, State *b, Shift *shift, double *mu)
+advance(const Sampler *sampler, int metric, const State *a, State *b, Shift *shift, double *mu)
 {
-	int e = find_shift(&a->grid, shift);
+	int e = find_shift(&a->grid, metric, shift);
 
 	if (e)
 		return e;
@@ -205,29 +218,46 @@ advance(const Sampler *sampler, const State *a, State *b, Shift *shift, double *
 	return 0;
 }
 
+/* The next stage if there is to be one, from the best grid, when there were `idle` rounds
+ * without gain in this. */
+static int
+next_stage(int stage, const State *best, State *now, int *idle)
+{
+	if (*idle < (stage == 0 && best->mean > FOLDED ? PATIENCE : 1))
+		return stage;
+	*idle = 0;
+	state_copy(best, now);
+	return best->mean > UNDONE ? stage + 1 : STAGES;
+}
+
 /* best is the start on entry. */
 static int
-iterate(const Sampler *sampler, State *best, State work[2], int rounds, Shift *shift, double *mu, int *done)
+iterate(const Sampler *sampler, State *best, State work[2], int rounds, double enough, Shift *shift,
+	double *mu, int *done)
 {
-	int k, e, idle = 0;
+	int k, e, idle = 0, stage = 0;
+	State *now, *next;
 
 	best->mean = mean_beltrami(&best->grid, mu);
 	state_copy(best, &work[0]);
-	for (k = 0; k < rounds && best->mean > ENOUGH && idle < (best->mean > FOLDED ? 2 : 1); k++) {
-		e = advance(sampler, &work[k%2], &work[(k+1)%2], shift, mu);
+	for (k = 0; k < rounds && best->mean > enough && stage < STAGES; k++) {
+		now = &work[k%2], next = &work[(k+1)%2];
+		e = advance(sampler, STAGE[stage].metric, now, next, shift, mu);
 		if (e)
 			return e;
-		idle = work[(k+1)%2].mean < WORTH*best->mean ? 0 : idle + 1;
-		if (!(work[(k+1)%2].mean < best->mean))
-			continue;
-		state_copy(&work[(k+1)%2], best);
-		*done = k + 1;
+		idle = next->mean < STAGE[stage].worth*best->mean ? 0 : idle + 1;
+		if (next->mean < best->mean) {
+			state_copy(next, best);
+			*done = k + 1;
+		}
+		stage = next_stage(stage, best, next, &idle);
 	}
 	return 0;
 }
 
 int
-polish(const Sampler *sampler, Grid *a, int rounds, int n, double *pu, double *pv, int *done)
+polish(const Sampler *sampler, Grid *a, int rounds, double enough, int n, double *pu, double *pv,
+	int *done)
 {
 	size_t nodes = (size_t)a->g.nu*a->g.nv;
 	double *room = malloc(3*nodes*sizeof *room);
@@ -238,7 +268,7 @@ polish(const Sampler *sampler, Grid *a, int rounds, int n, double *pu, double *p
 	*done = 0;
 	e = e || e1 || !room ? POLISH_ENOMEM : 0;
 	if (!e && rounds > 0)
-		e = iterate(sampler, &best, work, rounds, &shift, room + 2*nodes, done);
+		e = iterate(sampler, &best, work, rounds, enough, &shift, room + 2*nodes, done);
 	*a = best.grid;
 	state_free(&work[0]);
 	state_free(&work[1]);

@@ -25,15 +25,16 @@ typedef struct Grid {
 int  grid_init(Grid *a, Chart g, const Sampler *s);
 void grid_free(Grid *a);
 
-/* At most so many rounds, fewer when one takes less than 15 % off the mean modulus of the
- * Beltrami coefficient over the inner nodes (two in a row where that mean is large) or that mean is below 2e-4; what
- * is kept is the round that has the least.
+/* At most so many rounds, fewer when they gain nothing more or when the mean modulus of the
+ * Beltrami coefficient over the inner nodes is no more than enough; what is kept is the
+ * round that has the least mean.  Where the surface turns much within a cell and that mean stays
+ * above 4e-3, rounds by the metric of the nodes follow on those by that of the cells.
  *
  * a        in/out
  * pu, pv   in/out  [n] points carried along, in the chart of a; n may be 0
  * done     out     rounds that led to what is kept
  *
  * Returns 0 or POLISH_ENOMEM; a is then some grid that is no worse than it was. */
-int polish(const Sampler *s, Grid *a, int rounds, int n, double *pu, double *pv, int *done);
+int polish(const Sampler *s, Grid *a, int rounds, double enough, int n, double *pu, double *pv, int *done);
 
 #endif

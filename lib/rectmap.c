@@ -25,14 +25,32 @@ release(Harmonic *h)
 	free(h->diagonal);
 }
 
+/* The matrix of d, of linear elements, or of quadratic ones on the disk that d was before
+ * all its triangles were split. */
 static int
-prepare(const Disk *d, Harmonic *h)
+stiffness(const Disk *d, const Disk *coarse, Cotangent *C)
+{
+	Cotangent C0;
+	int e = cotangent_init(C, d);
+
+	if (e || !coarse)
+		return e;
+	e = cotangent_init(&C0, coarse);
+	if (!e) {
+		e = cotangent_quadratic(C, &C0);
+		cotangent_free(&C0);
+	}
+	return e;
+}
+
+static int
+prepare(const Disk *d, const Disk *coarse, Harmonic *h)
 {
 	int *order = malloc(d->m.nv*sizeof *order), i, k, e;
 
 	memset(h, 0, sizeof *h);
 	h->diagonal = calloc(d->m.nv, sizeof *h->diagonal);
-	e = !order || !h->diagonal || cotangent_init(&h->C, d) || order_graph(&h->C.g, order)
+	e = !order || !h->diagonal || stiffness(d, coarse, &h->C) || order_graph(&h->C.g, order)
 	    || chol_init(&h->chol, &h->C.g, order) ? SPD_ENOMEM : 0;
 	for (i = 0; !e && i < d->m.nv; i++)
 		for (k = h->C.g.first[i]; k < h->C.g.first[i+1]; k++)
@@ -93,10 +111,10 @@ solve(const Disk *d, const int corner[4], int k, Harmonic *h, double *x, SpdRepo
 
 /* u and v1. */
 static int
-harmonic_pair(const Disk *d, const int corner[4], double *u, double *v, SpdReport *report)
+harmonic_pair(const Disk *d, const Disk *coarse, const int corner[4], double *u, double *v, SpdReport *report)
 {
 	Harmonic h;
-	int e = prepare(d, &h);
+	int e = prepare(d, coarse, &h);
 
 	report->bytes = chol_bytes(&h.chol);
 	if (!e)
@@ -107,19 +125,36 @@ harmonic_pair(const Disk *d, const int corner[4], double *u, double *v, SpdRepor
 	return e;
 }
 
+/* As the matrix. */
+static int
+energy(const Disk *d, const Disk *coarse, const double *u, const double *v, double *Eu, double *Ev)
+{
+	double Eu0, Ev0;
+
+	if (cotangent_energy(&d->m, u, v, Eu, Ev))
+		return SPD_ENOMEM;
+	if (!coarse)
+		return 0;
+	if (cotangent_energy(&coarse->m, u, v, &Eu0, &Ev0))
+		return SPD_ENOMEM;
+	*Eu = (4**Eu - Eu0)/3;
+	*Ev = (4**Ev - Ev0)/3;
+	return 0;
+}
+
 int
-rectmap(const Disk *d, const int corner[4], double *u, double *v, double *T,
+rectmap(const Disk *d, const Disk *coarse, const int corner[4], double *u, double *v, double *T,
 	double *certificate, SpdReport *report)
 {
 	double Eu, Ev;
 	int i, e;
 
 	memset(report, 0, sizeof *report);
-	if (3*(size_t)d->m.nf + d->nb > INT_MAX)
+	if (4*(size_t)d->m.nf + d->nb > INT_MAX)
 		return SPD_ELARGE;
-	e = harmonic_pair(d, corner, u, v, report);
-	if (!e && cotangent_energy(&d->m, u, v, &Eu, &Ev))
-		e = SPD_ENOMEM;
+	e = harmonic_pair(d, coarse, corner, u, v, report);
+	if (!e)
+		e = energy(d, coarse, u, v, &Eu, &Ev);
 	if (e == SPD_ENOMEM && !(report->bytes > 0))
 		report->bytes = NUMBERS*sizeof(double)*d->m.nv;
 	if (e)

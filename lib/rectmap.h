@@ -16,6 +16,10 @@
 #include "spd.h"
 
 /* d          the disk
+ * coarse     NULL, or the disk that d was before all its triangles were split into four
+ *            (refine_split with NULL): the elements are then the quadratic ones of coarse, on which
+ *            (u,v) err by O(h^3) instead of O(h^2) where the mesh is irregular, and the
+ *            certificate is theirs
  * corner     places in the boundary loop, as corners.h gives them
  * u, v       out  [nv] of each vertex, 0 <= v <= T on the sides
  * report     out  the bytes of the factor, 0 if not known; on SPD_EINDEFINITE the vertex
@@ -23,7 +27,7 @@
  * The same bits for any number of threads; two work well.
  *
  * Returns 0, or one of SPD_ENOMEM, SPD_EINDEFINITE, SPD_ELARGE. */
-int rectmap(const Disk *d, const int corner[4], double *u, double *v, double *T,
+int rectmap(const Disk *d, const Disk *coarse, const int corner[4], double *u, double *v, double *T,
 	double *certificate, SpdReport *report);
 
 /* Triangles that the map turned over: those with (u,v) area < 0. */

@@ -11,8 +11,11 @@
 typedef struct Split {
 	const Disk *d;
 	Topology    t;
+	int         similar;    /* all faces, into four similar ones */
 	int        *mid;        /* [3*nf] new vertex on each side; -1: not cut, CUT: to be numbered */
 	int        *stack, depth;       /* faces whose longest side may have to be cut */
+	int        *part;       /* [3*nf][2] new side that a side becomes, or its first and second half */
+	int        *tri, *twin, nf;     /* what has been made of it */
 } Split;
 
 enum { CUT = INT_MAX };
@@ -70,7 +73,7 @@ close_up(Split *s, const unsigned char *marked)
 	int f, k;
 
 	for (f = 0; f < s->t.nf; f++)
-		for (k = 0; k < 3 && marked[f]; k++)
+		for (k = 0; k < 3 && (s->similar || marked[f]); k++)
 			cut(s, 3*f + k);
 	while (s->depth > 0) {
 		f = s->stack[--s->depth];
@@ -111,30 +114,111 @@ place(const Split *s, double *xyz)
 	}
 }
 
-static int *
-emit(int *tri, int a, int b, int c)
+/* A new face; returns its side a b. */
+static int
+emit(Split *s, int a, int b, int c)
 {
-	tri[0] = a;
-	tri[1] = b;
-	tri[2] = c;
-	return tri + 3;
+	int side = 3*s->nf++;
+
+	s->tri[side] = a;
+	s->tri[side+1] = b;
+	s->tri[side+2] = c;
+	return side;
+}
+
+static void
+sew(Split *s, int side, int twin)
+{
+	s->twin[side] = twin;
+	s->twin[twin] = side;
+}
+
+/* The part A m C of a face, halved where CA is cut; returns its side m C. */
+static int
+emit_left(Split *s, int A, int m, int C, int side, int last)
+{
+	int ca = s->mid[last], left = emit(s, A, m, ca < 0 ? C : ca), right;
+
+	s->part[2*side] = left;
+	if (ca < 0) {
+		s->part[2*last] = left + 2;
+		return left + 1;
+	}
+	right = emit(s, ca, m, C);
+	sew(s, left + 1, right);
+	s->part[2*last] = right + 2;
+	s->part[2*last+1] = left + 2;
+	return right + 1;
+}
+
+/* The part m B C, halved where BC is cut; returns its side C m. */
+static int
+emit_right(Split *s, int m, int B, int C, int side, int next)
+{
+	int bc = s->mid[next], left = emit(s, m, B, bc < 0 ? C : bc), right;
+
+	s->part[2*side+1] = left;
+	s->part[2*next] = left + 1;
+	if (bc < 0)
+		return left + 2;
+	right = emit(s, m, bc, C);
+	sew(s, left + 2, right);
+	s->part[2*next+1] = right + 1;
+	return right + 2;
+}
+
+static void
+emit_similar(Split *s, int f)
+{
+	const int *mid = &s->mid[3*f], *c = &s->t.tri[3*f];
+	int inner = emit(s, mid[0], mid[1], mid[2]), k, l, side;
+
+	for (k = 0; k < 3; k++) {
+		l = (k + 2)%3;
+		side = emit(s, c[k], mid[k], mid[l]);
+		s->part[2*(3*f + k)] = side;
+		s->part[2*(3*f + l) + 1] = side + 2;
+		sew(s, side + 1, inner + l);
+	}
 }
 
 /* The parts of face f: itself, or halves at its longest side AB, each of them halved
  * again where its other old side is cut. */
-static int *
-emit_face(const Split *s, int f, int *tri)
+static void
+emit_face(Split *s, int f)
 {
-	const int *mid = &s->mid[3*f];
-	int side, next, last, A, B, C, m, bc, ca;
+	const int *mid = &s->mid[3*f], *c = &s->t.tri[3*f];
+	int side, next, last, left, m, C, k;
 
-	if (mid[0] < 0 && mid[1] < 0 && mid[2] < 0)
-		return emit(tri, s->t.tri[3*f], s->t.tri[3*f+1], s->t.tri[3*f+2]);
+	if (s->similar) {
+		emit_similar(s, f);
+		return;
+	}
+	if (mid[0] < 0 && mid[1] < 0 && mid[2] < 0) {
+		side = emit(s, c[0], c[1], c[2]);
+		for (k = 0; k < 3; k++)
+			s->part[2*(3*f + k)] = side + k;
+		return;
+	}
 	side = longest(s, f), next = topology_next(side), last = topology_next(next);
-	A = topology_from(&s->t, side), B = topology_to(&s->t, side), C = topology_to(&s->t, next);
-	m = s->mid[side], bc = s->mid[next], ca = s->mid[last];
-	tri = ca < 0 ? emit(tri, A, m, C) : emit(emit(tri, A, m, ca), ca, m, C);
-	return bc < 0 ? emit(tri, m, B, C) : emit(emit(tri, m, B, bc), m, bc, C);
+	m = s->mid[side], C = topology_to(&s->t, next);
+	left = emit_left(s, topology_from(&s->t, side), m, C, side, last);
+	sew(s, left, emit_right(s, m, topology_to(&s->t, side), C, side, next));
+}
+
+/* Neighbours along what has been a side; the first half of one is the second of its twin. */
+static void
+sew_sides(Split *s)
+{
+	int side, twin, cut;
+
+	for (side = 0; side < 3*s->t.nf; side++) {
+		twin = s->t.twin[side];
+		cut = s->mid[side] >= 0;
+		s->twin[s->part[2*side]] = twin < 0 ? -1 : s->part[2*twin + cut];
+		if (cut)
+			s->twin[s->part[2*side+1]] = twin < 0 ? -1 : s->part[2*twin];
+	}
 }
 
 /* The loop with the new boundary vertices in it.  next[v] is the new vertex behind
@@ -165,45 +249,44 @@ emit_loop(const Split *s, Disk *finer)
 static int
 build(Split *s, Disk *finer)
 {
-	int faces, f, n = number_cuts(s, &faces), *tri;
+	int faces, f, n = number_cuts(s, &faces);
 	Mesh *m = &finer->m;
 
 	m->nv = s->d->m.nv + n;
 	m->nf = faces;
 	m->xyz = malloc(3*(size_t)m->nv*sizeof *m->xyz);
-	m->tri = tri = malloc(3*(size_t)m->nf*sizeof *m->tri);
-	if (!m->xyz || !m->tri)
+	m->tri = s->tri = malloc(3*(size_t)m->nf*sizeof *m->tri);
+	finer->twin = s->twin = malloc(3*(size_t)m->nf*sizeof *s->twin);
+	s->part = malloc(6*(size_t)s->t.nf*sizeof *s->part);
+	if (!m->xyz || !m->tri || !s->twin || !s->part)
 		return MESH_ENOMEM;
 	memcpy(m->xyz, s->d->m.xyz, 3*(size_t)s->d->m.nv*sizeof *m->xyz);
 	place(s, m->xyz);
 	for (f = 0; f < s->t.nf; f++)
-		tri = emit_face(s, f, tri);
+		emit_face(s, f);
+	sew_sides(s);
 	return emit_loop(s, finer);
 }
 
 int
 refine_split(const Disk *d, const unsigned char *marked, Disk *finer)
 {
-	Split s = { .d = d };
+	Split s = { .similar = !marked, .d = d, .t = { .nv = d->m.nv, .nf = d->m.nf, .tri = d->m.tri, .twin = d->twin } };
 	size_t sides = 3*(size_t)d->m.nf;
-	int e;
+	int e = MESH_ENOMEM;
 
 	memset(finer, 0, sizeof *finer);
-	s.t = (Topology){ .nv = d->m.nv, .nf = d->m.nf, .tri = d->m.tri, .err = finer->err };
-	e = topology_twins(&s.t);
 	s.mid = malloc(sides*sizeof *s.mid);
 	s.stack = malloc(sides*sizeof *s.stack);
-	if (!e && !(s.mid && s.stack))
-		e = MESH_ENOMEM;
-	if (!e) {
+	if (s.mid && s.stack) {
 		memset(s.mid, -1, sides*sizeof *s.mid);
 		close_up(&s, marked);
 		e = build(&s, finer);
 	}
 	if (e)
 		disk_free(finer);
-	free(s.t.twin);
 	free(s.mid);
 	free(s.stack);
+	free(s.part);
 	return e;
 }

@@ -4,7 +4,7 @@
 #include "sampler.h"
 
 int
-sampler_init(Sampler *s, const Mesh *m, const double *u, const double *v, double T, int surface)
+sampler_init(Sampler *s, const Disk *d, const double *u, const double *v, double T, int surface)
 {
 	int e = 0, e1 = 0;
 
@@ -12,12 +12,12 @@ sampler_init(Sampler *s, const Mesh *m, const double *u, const double *v, double
 #pragma omp parallel sections
 	{
 #pragma omp section
-		e = locator_init(&s->l, m, u, v, T);
+		e = locator_init(&s->l, d, u, v, T);
 #pragma omp section
 		if (surface == SAMPLER_SMOOTH) {
-			s->jet = malloc(m->nv*sizeof *s->jet);
-			s->want = calloc(m->nv, 1);
-			e1 = !s->jet || !s->want || stars_init(&s->stars, m);
+			s->jet = malloc(d->m.nv*sizeof *s->jet);
+			s->want = calloc(d->m.nv, 1);
+			e1 = !s->jet || !s->want || stars_init(&s->stars, &d->m);
 		}
 	}
 	if (!e && !e1)

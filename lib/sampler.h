@@ -21,9 +21,9 @@ typedef struct Sampler {
 	unsigned char *want;    /* [nv] gradient.h */
 } Sampler;
 
-/* m mapped by u, v onto [0,1] x [0,T]; all three must outlive s.  Returns 0 or
+/* d mapped by u, v onto [0,1] x [0,T]; all three must outlive s.  Returns 0 or
  * SAMPLER_ENOMEM. */
-int  sampler_init(Sampler *s, const Mesh *m, const double *u, const double *v, double T, int surface);
+int  sampler_init(Sampler *s, const Disk *d, const double *u, const double *v, double T, int surface);
 void sampler_free(Sampler *s);
 
 /* phi at every node of g, (x,y) its place in the chart of the mesh; all [nv][nu].  Finds

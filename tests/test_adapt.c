@@ -12,7 +12,7 @@
 #include "synthdisk.h"
 
 /* A conforming mesh of the same surface: still a disk, of the same area and the same
- * boundary; old vertices in place. */
+ * boundary, with its twins; old vertices in place. */
 static void
 check_finer(const Disk *d, const Disk *finer)
 {
@@ -27,6 +27,7 @@ check_finer(const Disk *d, const Disk *finer)
 	assert_string_equal(again.note, "");
 	assert_int_equal(again.nb, finer->nb);
 	assert_memory_equal(again.loop, finer->loop, finer->nb*sizeof *finer->loop);
+	assert_memory_equal(again.twin, finer->twin, 3*finer->m.nf*sizeof *finer->twin);
 	assert_memory_equal(d->m.xyz, finer->m.xyz, 3*d->m.nv*sizeof(double));
 	assert_true(fabs(mesh_area(&finer->m)/mesh_area(&d->m) - 1) < 1e-12);
 	disk_free(&again);
@@ -72,6 +73,25 @@ least_angle(const Mesh *m)
 			least = fmin(least, atan2(norm3(n), dot3(a, b)));
 		}
 	return least;
+}
+
+/* The least angle of similar faces is the one there was. */
+static void
+split_similar_keeps_angles(void **state)
+{
+	Synth s;
+	SynthDomain dom;
+	Disk d, finer;
+
+	(void)state;
+	synth_disk("face", 300, &s, &dom, &d, NULL);
+	assert_int_equal(refine_split(&d, NULL, &finer), 0);
+	assert_int_equal(finer.m.nf, 4*d.m.nf);
+	assert_int_equal(finer.nb, 2*d.nb);
+	check_finer(&d, &finer);
+	assert_true(fabs(least_angle(&finer.m)/least_angle(&d.m) - 1) < 1e-9);
+	disk_free(&d);
+	disk_free(&finer);
 }
 
 static void
@@ -191,6 +211,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(split_all_gives_four_of_each),
+		cmocka_unit_test(split_similar_keeps_angles),
 		cmocka_unit_test(split_some_is_conforming),
 		cmocka_unit_test(modulus_to_1e_4),
 		cmocka_unit_test(stops_at_the_limit),

@@ -30,12 +30,17 @@ find(const Mesh *m, int a, int b)
 static void
 isdisk(const Disk *d)
 {
-	int i, a, b, open = 0;
+	int i, a, b, twin, open = 0;
 
 	for (i = 0; i < 3*d->m.nf; i++) {
 		a = d->m.tri[i], b = d->m.tri[i % 3 == 2 ? i - 2 : i + 1];
 		assert_int_equal(find(&d->m, a, b), 1);
 		open += find(&d->m, b, a) == 0;
+		twin = d->twin[i];
+		if (find(&d->m, b, a) == 0)
+			assert_int_equal(twin, -1);
+		else
+			assert_true(d->m.tri[twin] == b && d->m.tri[twin % 3 == 2 ? twin - 2 : twin + 1] == a);
 	}
 	assert_int_equal(open, d->nb);
 	assert_int_equal(d->m.nv - (3*d->m.nf + open)/2 + d->m.nf, 1);
@@ -57,7 +62,7 @@ make(Disk *d, const char *text)
 	e = disk_from_soup(d, &s);
 	soup_free(&s);
 	if (e)
-		assert_true(!d->m.xyz && !d->m.tri && !d->loop && !d->file && !d->became && d->err[0] &&
+		assert_true(!d->m.xyz && !d->m.tri && !d->loop && !d->twin && !d->file && !d->became && d->err[0] &&
 		    !strchr(d->err, '\n'));
 	return e;
 }

@@ -7,6 +7,7 @@
 #include "../lib/corners.h"
 #include "../lib/lambdah.h"
 #include "../lib/rectmap.h"
+#include "../lib/refine.h"
 #include "../lib/sampler.h"
 #include "surfaces.h"
 #include "synthdisk.h"
@@ -31,7 +32,7 @@ map(const char *kind, int n, Mapped *m)
 	m->u = malloc(m->d.m.nv*sizeof *m->u);
 	m->v = malloc(m->d.m.nv*sizeof *m->v);
 	assert_int_equal(corners_given(&m->d, vertex, m->corner, &at), 0);
-	assert_int_equal(rectmap(&m->d, m->corner, m->u, m->v, &m->T, &m->certificate, &report), 0);
+	assert_int_equal(rectmap(&m->d, NULL, m->corner, m->u, m->v, &m->T, &m->certificate, &report), 0);
 	assert_true(m->certificate > -1e-12);
 }
 
@@ -161,7 +162,7 @@ grid_of(const Mapped *m, Chart g, int surface, double *phi[3])
 	phi[0] = block, phi[1] = block + n, phi[2] = block + 2*n;
 	for (p = 0; p < n; p++)
 		x[p] = p%g.nu*chart_h(g), y[p] = p/g.nu*chart_k(g);
-	assert_int_equal(sampler_init(&s, &m->d.m, m->u, m->v, m->T, surface), 0);
+	assert_int_equal(sampler_init(&s, &m->d, m->u, m->v, m->T, surface), 0);
 	sampler_grid(&s, g, x, y, phi);
 	sampler_free(&s);
 	return block;
@@ -319,7 +320,7 @@ no_free_vertices(void **state)
 
 	(void)state;
 	assert_int_equal(disk_from_soup(&d, &soup), 0);
-	assert_int_equal(rectmap(&d, corner, u, v, &T, &certificate, &report), 0);
+	assert_int_equal(rectmap(&d, NULL, corner, u, v, &T, &certificate, &report), 0);
 	assert_true(fabs(T - 2) < 1e-14);
 	assert_true(fabs(certificate) < 1e-14);
 	for (i = 0; i < 4; i++) {
@@ -375,7 +376,7 @@ degenerate_triangle_is_reported(void **state)
 		map("rectangle", size[s], &m);
 		t = &m.d.m.tri[3*(m.d.m.nf/2)];
 		memcpy(&m.d.m.xyz[3*(size_t)t[0]], &m.d.m.xyz[3*(size_t)t[1]], 3*sizeof(double));
-		assert_int_equal(rectmap(&m.d, m.corner, m.u, m.v, &m.T, &m.certificate, &report), SPD_EINDEFINITE);
+		assert_int_equal(rectmap(&m.d, NULL, m.corner, m.u, m.v, &m.T, &m.certificate, &report), SPD_EINDEFINITE);
 		unmap(&m);
 	}
 }
@@ -426,7 +427,7 @@ slivers_are_mapped(void **state)
 	}
 	assert_int_equal(moved, 10);
 	assert_true(step < 1e-6);
-	assert_int_equal(rectmap(&m.d, m.corner, m.u, m.v, &m.T, &m.certificate, &report), 0);
+	assert_int_equal(rectmap(&m.d, NULL, m.corner, m.u, m.v, &m.T, &m.certificate, &report), 0);
 	assert_true(fabs(m.T*a/(m.dom.y1 - m.dom.y0) - 1) < 1e-8);
 	for (i = 0; i < m.d.m.nv; i++)
 		assert_true(fabs(m.u[i] - m.d.m.xyz[3*i]/a) < 1e-6);
@@ -447,7 +448,7 @@ same_bits_for_any_threads(void **state)
 	u = malloc(m.d.m.nv*sizeof *u), v = malloc(m.d.m.nv*sizeof *v);
 	for (t = 2; t <= 8; t *= 2) {
 		omp_set_num_threads(t);
-		assert_int_equal(rectmap(&m.d, m.corner, u, v, &T, &certificate, &report), 0);
+		assert_int_equal(rectmap(&m.d, NULL, m.corner, u, v, &T, &certificate, &report), 0);
 		assert_memory_equal(u, m.u, m.d.m.nv*sizeof *u);
 		assert_memory_equal(v, m.v, m.d.m.nv*sizeof *v);
 		assert_memory_equal(&T, &m.T, sizeof T);
@@ -455,6 +456,49 @@ same_bits_for_any_threads(void **state)
 	omp_set_num_threads(threads);
 	free(u), free(v);
 	unmap(&m);
+}
+
+/* Quadratic elements know the energy of every quadratic function, whatever the mesh, and that
+ * x^2 - y^2 and x y are harmonic. */
+static void
+quadratics_are_exact(void **state)
+{
+	Synth s;
+	SynthDomain dom;
+	Disk d, fine;
+	Cotangent C, C0;
+	double *x, E = 0, a, b, row, most = 0;
+	unsigned char *border;
+	int i, k;
+
+	(void)state;
+	synth_disk("rectangle", 300, &s, &dom, &d, NULL);
+	assert_int_equal(refine_split(&d, NULL, &fine), 0);
+	assert_int_equal(cotangent_init(&C0, &d) | cotangent_init(&C, &fine), 0);
+	assert_int_equal(cotangent_quadratic(&C, &C0), 0);
+	x = malloc(fine.m.nv*sizeof *x);
+	border = calloc(fine.m.nv, 1);
+	for (i = 0; i < fine.m.nv; i++) {
+		a = fine.m.xyz[3*i], b = fine.m.xyz[3*i+1];
+		x[i] = a*a - b*b + 3*a*b + a;
+	}
+	for (i = 0; i < fine.nb; i++)
+		border[fine.loop[i]] = 1;
+	for (i = 0; i < fine.m.nv; i++) {
+		for (row = 0, k = C.g.first[i]; k < C.g.first[i+1]; k++) {
+			row += C.c[k]*(x[C.g.adj[k]] - x[i]);
+			E -= C.c[k]*(x[C.g.adj[k]] - x[i])*(x[C.g.adj[k]] - x[i])/2;
+		}
+		most = border[i] ? most : fmax(most, fabs(row));
+	}
+	assert_true(most < 1e-12);
+	/* |grad|^2 = 13 (a^2 + b^2) + 4a + 6b + 1 */
+	a = dom.x1, b = dom.y1;
+	assert_true(dom.x0 == 0 && dom.y0 == 0);
+	assert_true(fabs(E/(13*a*b*(a*a + b*b)/3 + 2*a*a*b + 3*a*b*b + a*b) - 1) < 1e-12);
+	free(x), free(border);
+	cotangent_free(&C), cotangent_free(&C0);
+	disk_free(&d), disk_free(&fine);
 }
 
 int
@@ -475,6 +519,7 @@ main(void)
 		cmocka_unit_test(rows_are_the_triangles),
 		cmocka_unit_test(degenerate_triangle_is_reported),
 		cmocka_unit_test(slivers_are_mapped),
+		cmocka_unit_test(quadratics_are_exact),
 		cmocka_unit_test(same_bits_for_any_threads),
 	};
 
