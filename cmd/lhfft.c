@@ -7,20 +7,33 @@
 static const char text[] =
 "usage: lhfft -K PERCENT | --raw -K BOUND | --keep=N [LH] >lh.lhg\n"
 "reads and writes channels lambda H; all else passes through\n"
-"  -K, --bound=X      drop the coefficients C of the discrete Fourier transform with\n"
-"                     |C| <= X percent of the field's root mean square, that is with\n"
-"                     |C|/(nodes rms) 100 <= X; 0 changes nothing; X >= 0\n"
+"  -K, --bound=X      drop the coefficients C with |C| <= X percent of the field's root\n"
+"                     mean square, that is with |C|/(nodes rms) 100 <= X; 0 changes\n"
+"                     nothing; X >= 0\n"
 "      --raw          X is compared with |C| itself, as equation (32) is written\n"
 "      --keep=N       keep the N largest coefficients of either field instead, N >= 1\n"
+"      --basis=dct|dft  cosines, or the complex exponentials of the paper [dct]\n"
+"      --log-lambda   filter the logarithm of lambda, rms being that of the logarithm\n"
+"                     minus its mean [this]\n"
+"      --no-log-lambda  filter lambda as it is; where it then falls below its least before,\n"
+"                     it is set to that, and the number of such nodes noted\n"
 CMD_USAGE
-"The mean is never dropped.  A node where the filtered lambda falls below the least\n"
-"lambda of the input is set to it, and the number of such nodes noted.  Under -v: how\n"
-"many coefficients of either field were kept.\n";
+"The mean is never dropped.  In either basis sum |C|^2 = nodes sum f^2.  Cosines continue\n"
+"a field evenly across the border, exponentials periodically, with a jump there that takes\n"
+"many waves; the logarithm treats lambda alike where it is small and large, and leaves it\n"
+"positive.  So both are the default.  face_neutral at 257 x 257 nodes and K = 0.5: dft of\n"
+"lambda, dct of lambda, dct of its logarithm give back 157, 108, 98 % of the bending\n"
+"energy (the integral of H^2), and a surface 0.49, 0.37, 0.19 % of the square root of the\n"
+"area from the original in the mean.\n"
+"Under -v: how many coefficients of either field were kept.\n";
 
 static const struct option longopt[] = {
-	{ "bound", required_argument, NULL, 'K' },
-	{ "raw",   no_argument,       NULL, 'r' },
-	{ "keep",  required_argument, NULL, 'k' },
+	{ "bound",         required_argument, NULL, 'K' },
+	{ "raw",           no_argument,       NULL, 'r' },
+	{ "keep",          required_argument, NULL, 'k' },
+	{ "basis",         required_argument, NULL, 'b' },
+	{ "log-lambda",    no_argument,       NULL, 'l' },
+	{ "no-log-lambda", no_argument,       NULL, 'L' },
 	CMD_LONGOPT
 };
 
@@ -51,12 +64,12 @@ clamp(const CmdInput *in, size_t n, double *lambda, double floor)
 }
 
 static void
-filter(const CmdInput *in, Lhg *g, const char *name, SpectrumRule rule, double bound)
+filter(const CmdInput *in, Lhg *g, const char *name, SpectrumBasis basis, const SpectrumFilter *by)
 {
 	double *f = cmd_need(in, g, name, LHG_GRID);
 	size_t kept, n = (size_t)g->nu*g->nv;
 
-	if (spectrum_filter(g->nu, g->nv, f, rule, bound, &kept))
+	if (spectrum_filter((Spectrum){ basis, g->nu, g->nv }, by, f, &kept))
 		die("%s: no memory for the transform of %zu nodes", in->name, n);
 	detail("%s: %zu of %zu coefficients of %s kept", in->name, kept, n, name);
 }
@@ -64,8 +77,9 @@ filter(const CmdInput *in, Lhg *g, const char *name, SpectrumRule rule, double b
 int
 main(int argc, char *argv[])
 {
-	SpectrumRule rule = SPECTRUM_PERCENT;
-	double bound = -1, keep = -1, floor, *lambda;
+	SpectrumFilter lambda_by = { SPECTRUM_PERCENT, -1, 1 }, H_by;
+	SpectrumBasis basis = SPECTRUM_DCT;
+	double keep = -1, floor, *lambda;
 	CmdInput in;
 	size_t n;
 	int opt;
@@ -74,15 +88,20 @@ main(int argc, char *argv[])
 	cmd_begin("lhfft", text);
 	while ((opt = cmd_getopt(argc, argv, "K:", longopt)) != -1)
 		switch (opt) {
-		case 'K': bound = opt_double(optarg, 0, 1e300, "bound"); break;
-		case 'r': rule = SPECTRUM_RAW; break;
+		case 'K': lambda_by.bound = opt_double(optarg, 0, 1e300, "bound"); break;
+		case 'r': lambda_by.rule = SPECTRUM_RAW; break;
 		case 'k': keep = opt_long(optarg, 1, 2147483647, "keep"); break;
+		case 'b': basis = opt_word(optarg, "dct\0dft\0", "basis"); break;
+		case 'l': lambda_by.log = 1; break;
+		case 'L': lambda_by.log = 0; break;
 		}
 	cmd_operands(argc, argv, 0, 1);
-	if ((bound < 0) == (keep < 0) || (keep > 0 && rule == SPECTRUM_RAW))
+	if ((lambda_by.bound < 0) == (keep < 0) || (keep > 0 && lambda_by.rule == SPECTRUM_RAW))
 		misuse("say one of -K X, --raw -K X, --keep=N");
 	if (keep > 0)
-		rule = SPECTRUM_KEEP;
+		lambda_by = (SpectrumFilter){ SPECTRUM_KEEP, keep, lambda_by.log };
+	H_by = lambda_by;
+	H_by.log = 0;
 	cmd_binary_output();
 
 	cmd_open(&in, argv[optind]);
@@ -92,9 +111,10 @@ main(int argc, char *argv[])
 		floor = least(n, lambda);
 		if (!(floor > 0))
 			die("%s: lambda is not positive everywhere", in.name);
-		filter(&in, &g, "lambda", rule, keep > 0 ? keep : bound);
-		filter(&in, &g, "H", rule, keep > 0 ? keep : bound);
-		clamp(&in, n, lambda, floor);
+		filter(&in, &g, "lambda", basis, &lambda_by);
+		filter(&in, &g, "H", basis, &H_by);
+		if (!lambda_by.log)
+			clamp(&in, n, lambda, floor);
 		cmd_write(&g);
 		lhg_free(&g);
 	}

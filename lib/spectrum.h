@@ -1,8 +1,13 @@
-/* spectrum.h - two-dimensional Fourier coefficients of a grid field, and which to keep.
+/* spectrum.h - a grid field as a sum of waves, and which of them to keep.
  *
- *   C_mn = sum over nodes f_ij exp(-2 pi i (m i/nu + n j/nv)),    unnormalised
+ *   dct  C_mn = c_m c_n sum f_ij cos(pi m (2i+1)/(2 nu)) cos(pi n (2j+1)/(2 nv)),
+ *        c_0 = 1, other c = sqrt 2, 0 <= m < nu, 0 <= n < nv: f goes on evenly across the
+ *        border of the rectangle, without a jump
+ *   dft  C_mn = sum f_ij exp(-2 pi i (m i/nu + n j/nv)): f goes on periodically; it is
+ *        real, so the columns 0 <= m <= nu/2 hold all
  *
- * by FFTW; f is real, so the columns 0 <= m <= nu/2 hold all: C is [nv][nu/2+1].
+ * by FFTW.  In both C_00 = sum f, and sum |C|^2 = nu nv sum f^2 over all nu nv of them: a
+ * bound on |C| means the same.  C is [nv][columns], the dct's imaginary parts 0.
  */
 #ifndef SPECTRUM_H
 #define SPECTRUM_H
@@ -12,23 +17,46 @@
 
 enum { SPECTRUM_ENOMEM = -1 };
 
+typedef enum SpectrumBasis { SPECTRUM_DCT, SPECTRUM_DFT } SpectrumBasis;
+
+/* The space of coefficients of fields f[nv][nu]. */
+typedef struct Spectrum {
+	SpectrumBasis basis;
+	int           nu, nv;
+} Spectrum;
+
+/* Number of columns of C: nu, or nu/2 + 1. */
+int spectrum_columns(Spectrum s);
+
+/* How many of the nu nv coefficients one in column m stands for: 2 for a conjugate pair of
+ * the dft of which only one is held, else 1. */
+int spectrum_weight(Spectrum s, int m);
+
+/* Return 0 or SPECTRUM_ENOMEM. */
+int spectrum_forward(Spectrum s, const double *f, double complex *C);
+int spectrum_inverse(Spectrum s, const double complex *C, double *f);
+
 /* Which coefficients stay; C_00, the mean, always does. */
 typedef enum SpectrumRule {
-	SPECTRUM_PERCENT,       /* |C|/(nu nv rms f) x 100 > bound, rms the root mean square of
-	                         * f: a K that means the same for lambda and H, for any unit
-	                         * of length and any size of grid (DESIGN section 5) */
+	SPECTRUM_PERCENT,       /* |C|/(nu nv rms) x 100 > bound, rms the root mean square of f
+	                         * (of log f minus its mean, under log): a K that means the
+	                         * same for lambda and H, for any unit of length and any size
+	                         * of grid (DESIGN section 5) */
 	SPECTRUM_RAW,           /* |C| > bound, as (32) is written */
-	SPECTRUM_KEEP           /* the `bound` largest in modulus, of nu nv; a conjugate pair
-	                         * counts two and is kept or dropped as one */
+	SPECTRUM_KEEP           /* the `bound` largest in modulus, of nu nv, and those equal to
+	                         * the last; a conjugate pair counts two, kept or dropped as
+	                         * one */
 } SpectrumRule;
 
-/* Coefficients, number of columns nu/2 + 1. */
-int spectrum_forward(int nu, int nv, const double *f, double complex *C);
-int spectrum_inverse(int nu, int nv, const double complex *C, double *f);
+typedef struct SpectrumFilter {
+	SpectrumRule rule;
+	double       bound;     /* >= 0 */
+	int          log;       /* filter log f instead, f > 0; what comes out is > 0 again */
+} SpectrumFilter;
 
-/* Drop coefficients of f by the rule, in place.  A field of which nothing is dropped is
- * left as it is, to the last bit.  *kept: how many of nu nv stay; bound >= 0.
+/* Drop coefficients of f by the rule, in place.  A field of which nothing but zeros is
+ * dropped is left as it is, to the last bit.  *kept: how many of nu nv stay.
  * Returns 0 or SPECTRUM_ENOMEM. */
-int spectrum_filter(int nu, int nv, double *f, SpectrumRule rule, double bound, size_t *kept);
+int spectrum_filter(Spectrum s, const SpectrumFilter *by, double *f, size_t *kept);
 
 #endif

@@ -41,7 +41,9 @@ setup_file() {
 	try 2 'need a number in \[0,'               /dev/null lhfft -K nan
 	try 2 'say one of'                          /dev/null lhfft
 	try 2 'say one of'                          /dev/null lhfft -K 2 --keep=3
+	try 2 'say one of'                          /dev/null lhfft --raw --keep=3
 	try 2 'need a whole number in \[1,'         /dev/null lhfft --keep=0
+	try 2 'not one of its words'                /dev/null lhfft -K 1 --basis=fft
 	try 2 'need a number in \[0,1\]'            /dev/null lhinterp -t 1.5 a b
 	try 2 'say one of'                          /dev/null lhinterp a b
 	try 2 'say one of'                          /dev/null lhinterp -t 0.5 -n 3 a b

@@ -75,6 +75,52 @@ setup_file() {
 	done
 }
 
+# same A B: lambda and H are equal to the last bit.
+same() {
+	/usr/bin/python3 - "$@" <<-'END'
+		import sys
+		sys.path.insert(0, 'scripts')
+		import lhg
+		a, b = (next(iter(lhg.read(f))) for f in sys.argv[1:])
+		sys.exit(any(a[c].tobytes() != b[c].tobytes() for c in ('lambda', 'H')))
+	END
+}
+
+@test "lhfft: K = 0 is the identity; the defaults by name are the defaults" {
+	local o
+	for o in '' --basis=dft --no-log-lambda '--basis=dft --no-log-lambda' --raw; do
+		lhfft -K 0 $o "$tmp/torus.lh" -o "$tmp/k"
+		same "$tmp/k" "$tmp/torus.lh"
+	done
+	lhfft -K 1 "$tmp/torus.lh" -o "$tmp/k"
+	lhfft -K 1 --no-log-lambda --log-lambda --basis=dct "$tmp/torus.lh" -o "$tmp/named"
+	same "$tmp/k" "$tmp/named"
+	for o in --basis=dft --no-log-lambda --raw; do
+		lhfft -K 1 $o "$tmp/torus.lh" -o "$tmp/other"
+		! same "$tmp/k" "$tmp/other" || { echo "$o does nothing"; return 1; }
+	done
+}
+
+@test "lhfft: lambda stays positive, by its logarithm or by a floor that is noted" {
+	positive() {
+		/usr/bin/python3 -c 'import sys; sys.path.insert(0, "scripts"); import lhg
+assert next(iter(lhg.read(sys.argv[1])))["lambda"].min() > 0' "$1"
+	}
+	/usr/bin/python3 - "$tmp/cap.lh" "$tmp/steep.lh" <<-'END'
+		import sys
+		sys.path.insert(0, 'scripts')
+		import lhg, numpy
+		g = next(iter(lhg.read(sys.argv[1])))
+		g['lambda'][:] = numpy.exp(-numpy.linspace(0, 3, g.nu)**2)
+		lhg.write(open(sys.argv[2], 'wb'), [g])
+	END
+	try 0 '' "$tmp/steep.lh" lhfft --keep=4
+	positive "$tmp/out"
+	try 0 'stdin: lambda raised to 0.00012.*, its least before, at [1-9][0-9]* of 4225 nodes' \
+		"$tmp/steep.lh" lhfft --keep=4 --no-log-lambda
+	positive "$tmp/out"
+}
+
 @test "smoothing takes the noise and leaves the shape" {
 	# bending energy: the integral of H^2 over the area, on the grid
 	energy() {

@@ -5,7 +5,9 @@
 #include "../lib/spectrum.h"
 #include "surfaces.h"
 
-enum { NU = 30, NV = 21, N = NU*NV, HALF = (NU/2 + 1)*NV };
+enum { NU = 30, NV = 21, N = NU*NV };
+
+static const Spectrum DCT = { SPECTRUM_DCT, NU, NV }, DFT = { SPECTRUM_DFT, NU, NV };
 
 static void
 random_field(double *f, unsigned long long seed)
@@ -17,108 +19,179 @@ random_field(double *f, unsigned long long seed)
 }
 
 static void
+filter(Spectrum s, SpectrumRule rule, double bound, int log, double *f, size_t *kept)
+{
+	assert_int_equal(spectrum_filter(s, &(SpectrumFilter){ rule, bound, log }, f, kept), 0);
+}
+
+static void
 inverse_undoes_forward(void **state)
 {
 	double f[N], g[N];
-	double complex C[HALF];
+	double complex C[N];
+	int b;
 
 	(void)state;
-	random_field(f, 1);
-	assert_int_equal(spectrum_forward(NU, NV, f, C), 0);
-	assert_int_equal(spectrum_inverse(NU, NV, C, g), 0);
-	assert_true(largest(N, f, g) < 1e-14);
-}
-
-/* <F f, c> = <f, F^H c>, and the inverse is F^H over nu nv: in the half spectrum, columns
- * that stand for a conjugate pair count twice. */
-static void
-adjoint(void **state)
-{
-	double f[N], g[N], h[N], left = 0, right = 0;
-	double complex C[HALF], D[HALF];
-	int q, p;
-
-	(void)state;
-	random_field(f, 2);
-	random_field(h, 3);
-	spectrum_forward(NU, NV, f, C);
-	spectrum_forward(NU, NV, h, D);
-	spectrum_inverse(NU, NV, D, g);
-	for (q = 0; q < HALF; q++) {
-		int m = q%(NU/2 + 1);
-
-		left += (m == 0 || m == NU/2 ? 1 : 2)*creal(C[q]*conj(D[q]));
+	for (b = 0; b < 2; b++) {
+		random_field(f, 1);
+		assert_int_equal(spectrum_forward(b ? DFT : DCT, f, C), 0);
+		assert_int_equal(spectrum_inverse(b ? DFT : DCT, C, g), 0);
+		assert_true(largest(N, f, g) < 1e-14);
 	}
-	for (p = 0; p < N; p++)
-		right += f[p]*g[p]*N;
-	assert_true(fabs(left - right) < 1e-10*fabs(left));
 }
 
-/* cos(2 pi (3 i/nu + 2 j/nv)) has two coefficients of nu nv/2 at (3,2) and (-3,-2). */
+/* <F f, F h> = n <f, h>, where a coefficient that stands for a conjugate pair counts twice;
+ * and C_00 is the sum.  Odd and even sizes: the last column of the dft differs. */
 static void
-wave(double *f, double mean, double amplitude)
+parseval(void **state)
+{
+	double f[N], h[N], left, right, sum;
+	double complex C[N], D[N];
+	int i, q, p, cols;
+
+	(void)state;
+	for (i = 0; i < 4; i++) {
+		Spectrum s = { i%2 ? SPECTRUM_DFT : SPECTRUM_DCT, i < 2 ? NU : NV, i < 2 ? NV : NU };
+
+		random_field(f, 2);
+		random_field(h, 3);
+		spectrum_forward(s, f, C);
+		spectrum_forward(s, h, D);
+		cols = spectrum_columns(s);
+		for (left = q = 0; q < cols*s.nv; q++)
+			left += spectrum_weight(s, q%cols)*creal(C[q]*conj(D[q]));
+		for (right = sum = p = 0; p < N; p++) {
+			right += f[p]*h[p]*N;
+			sum += f[p];
+		}
+		assert_true(fabs(left - right) < 1e-10*fabs(left));
+		assert_true(cabs(C[0] - sum) < 1e-11);
+	}
+}
+
+/* A wave of the basis, of frequencies 3 in i and 2 in j.  The dft has two coefficients of
+ * nu nv amplitude/2 at (3,2) and (-3,-2), the dct one of nu nv amplitude/2 at (3,2). */
+static void
+wave(Spectrum s, double mean, double amplitude, double *f)
 {
 	int p;
 
-	for (p = 0; p < N; p++)
-		f[p] = mean + amplitude*cos(2*M_PI*(3.0*(p%NU)/NU + 2.0*(p/NU)/NV));
+	for (p = 0; p < N; p++) {
+		int i = p%NU, j = p/NU;
+
+		f[p] = mean + amplitude*(s.basis == SPECTRUM_DFT ? cos(2*M_PI*(3.0*i/NU + 2.0*j/NV))
+			: cos(3*M_PI*(i + 0.5)/NU)*cos(2*M_PI*(j + 0.5)/NV));
+	}
 }
 
 static void
-a_wave_is_two_coefficients(void **state)
+a_wave_is_one_coefficient_or_a_pair(void **state)
 {
 	double f[N];
-	double complex C[HALF];
-	int q;
+	double complex C[N];
+	int b, q, cols;
 
 	(void)state;
-	wave(f, 5, 2);
-	spectrum_forward(NU, NV, f, C);
-	for (q = 0; q < HALF; q++)
-		assert_true(cabs(C[q] - (q == 0 ? 5*N : q == 2*(NU/2 + 1) + 3 ? N : 0)) < 1e-9);
+	for (b = 0; b < 2; b++) {
+		Spectrum s = b ? DFT : DCT;
+
+		wave(s, 5, 2, f);
+		spectrum_forward(s, f, C);
+		cols = spectrum_columns(s);
+		for (q = 0; q < cols*NV; q++)
+			assert_true(cabs(C[q] - (q == 0 ? 5*N : q == 2*cols + 3 ? N : 0)) < 1e-9);
+	}
 }
 
-/* |C|/(n rms) of the wave above is 1/sqrt(27): 19.245 percent. */
+/* Which of a wave's coefficients a bound keeps, just below and just above |C|. */
+static void
+straddle(Spectrum s, SpectrumRule rule, double at, int log, double mean, double amplitude)
+{
+	double f[N], g[N], flat[N];
+	size_t kept, both = s.basis == SPECTRUM_DFT ? 3 : 2;
+	int p;
+
+	wave(s, mean, amplitude, f);
+	for (p = 0; p < N; p++) {
+		f[p] = log ? exp(f[p]) : f[p];
+		flat[p] = log ? exp(mean) : mean;
+	}
+	memcpy(g, f, sizeof g);
+	filter(s, rule, 0.9999*at, log, g, &kept);
+	assert_int_equal(kept, both);
+	assert_true(largest(N, g, f) < 1e-12*flat[0]);
+	filter(s, rule, 1.0001*at, log, f, &kept);
+	assert_int_equal(kept, 1);
+	assert_true(largest(N, f, flat) < 1e-12*flat[0]);
+}
+
+/* |C|/(n rms) of 5 + 2 wave: 1/sqrt(27) in the dft; in the dct, whose wave has the mean
+ * square 1/4, 1/sqrt(26).  Of log f, without the mean: 1/sqrt 2, and 1. */
 static void
 percent_of_the_root_mean_square(void **state)
 {
-	double f[N], flat[N];
-	size_t kept;
-	int p;
-
 	(void)state;
-	for (p = 0; p < N; p++)
-		flat[p] = 5;
-	wave(f, 5, 2);
-	spectrum_filter(NU, NV, f, SPECTRUM_PERCENT, 19.24, &kept);
-	assert_int_equal(kept, 3);
-	wave(f, 5, 2);
-	spectrum_filter(NU, NV, f, SPECTRUM_PERCENT, 19.25, &kept);
-	assert_int_equal(kept, 1);
-	assert_true(largest(N, f, flat) < 1e-13);
-	wave(f, 5e6, 2e6);
-	spectrum_filter(NU, NV, f, SPECTRUM_PERCENT, 19.24, &kept);
-	assert_int_equal(kept, 3);
+	straddle(DFT, SPECTRUM_PERCENT, 100/sqrt(27), 0, 5, 2);
+	straddle(DCT, SPECTRUM_PERCENT, 100/sqrt(26), 0, 5, 2);
+	straddle(DFT, SPECTRUM_PERCENT, 100/sqrt(27), 0, 5e6, 2e6);
+	straddle(DFT, SPECTRUM_PERCENT, 100/sqrt(2), 1, 5, 2);
+	straddle(DCT, SPECTRUM_PERCENT, 100, 1, 5, 2);
+	straddle(DCT, SPECTRUM_PERCENT, 100, 1, 5 + log(1000), 2);
 }
 
 static void
-raw_bound_and_count(void **state)
+raw_bound(void **state)
+{
+	(void)state;
+	straddle(DFT, SPECTRUM_RAW, N, 0, 5, 2);
+	straddle(DCT, SPECTRUM_RAW, N, 0, 5, 2);
+	straddle(DCT, SPECTRUM_RAW, N, 1, 5, 2);
+}
+
+static void
+keep_counts(void **state)
 {
 	double f[N];
 	size_t kept;
 
 	(void)state;
-	wave(f, 5, 2);
-	spectrum_filter(NU, NV, f, SPECTRUM_RAW, N - 1, &kept);
-	assert_int_equal(kept, 3);
-	wave(f, 5, 2);
-	spectrum_filter(NU, NV, f, SPECTRUM_RAW, N + 1, &kept);
+	random_field(f, 4);
+	filter(DFT, SPECTRUM_KEEP, 101, 0, f, &kept);
+	assert_true(kept == 101 || kept == 102);
+	filter(DFT, SPECTRUM_KEEP, 1, 0, f, &kept);
 	assert_int_equal(kept, 1);
 	random_field(f, 4);
-	spectrum_filter(NU, NV, f, SPECTRUM_KEEP, 101, &kept);
-	assert_true(kept == 101 || kept == 102);
-	spectrum_filter(NU, NV, f, SPECTRUM_KEEP, 1, &kept);
+	filter(DCT, SPECTRUM_KEEP, 101, 0, f, &kept);
+	assert_int_equal(kept, 101);
+	filter(DCT, SPECTRUM_KEEP, 1, 0, f, &kept);
 	assert_int_equal(kept, 1);
+}
+
+/* A field of lengths in metres and in millimetres keeps the same waves of its logarithm. */
+static void
+log_knows_no_unit(void **state)
+{
+	double f[N], g[N];
+	size_t kept, again;
+	int b, p;
+
+	(void)state;
+	for (b = 0; b < 2; b++) {
+		random_field(f, 9);
+		for (p = 0; p < N; p++) {
+			f[p] = exp(f[p]);
+			g[p] = 1000*f[p];
+		}
+		filter(b ? DFT : DCT, SPECTRUM_PERCENT, 3, 1, f, &kept);
+		filter(b ? DFT : DCT, SPECTRUM_PERCENT, 3, 1, g, &again);
+		assert_int_equal(kept, again);
+		assert_in_range(kept, N/10, 9*N/10);
+		for (p = 0; p < N; p++) {
+			assert_true(f[p] > 0);
+			g[p] /= 1000;
+		}
+		assert_true(largest(N, f, g) < 1e-13);
+	}
 }
 
 /* Dropping is a projection: a second time changes nothing, and what was dropped is
@@ -126,34 +199,49 @@ raw_bound_and_count(void **state)
 static void
 filter_projects(void **state)
 {
-	double f[N], g[N], h[N], dot = 0;
+	double f[N], g[N], h[N], dot;
 	size_t kept, again;
-	int p;
+	int b, p;
 
 	(void)state;
-	random_field(f, 5);
-	memcpy(g, f, sizeof f);
-	spectrum_filter(NU, NV, g, SPECTRUM_KEEP, 200, &kept);
-	memcpy(h, g, sizeof g);
-	spectrum_filter(NU, NV, h, SPECTRUM_KEEP, kept, &again);
-	assert_int_equal(kept, again);
-	assert_true(largest(N, g, h) < 1e-13);
-	for (p = 0; p < N; p++)
-		dot += g[p]*(f[p] - g[p]);
-	assert_true(fabs(dot) < 1e-11);
+	for (b = 0; b < 2; b++) {
+		random_field(f, 5);
+		memcpy(g, f, sizeof f);
+		filter(b ? DFT : DCT, SPECTRUM_KEEP, 200, 0, g, &kept);
+		memcpy(h, g, sizeof g);
+		filter(b ? DFT : DCT, SPECTRUM_KEEP, kept, 0, h, &again);
+		assert_int_equal(kept, again);
+		assert_true(largest(N, g, h) < 1e-13);
+		for (dot = p = 0; p < N; p++)
+			dot += g[p]*(f[p] - g[p]);
+		assert_true(fabs(dot) < 1e-11);
+		assert_true(largest(N, f, g) > 0.1);
+	}
 }
 
+/* Also where coefficients are zero and nothing is above the bound. */
 static void
 bound_zero_keeps_every_bit(void **state)
 {
 	double f[N], g[N];
 	size_t kept;
+	int i, p;
 
 	(void)state;
-	random_field(f, 6);
+	for (i = 0; i < 4; i++) {
+		random_field(f, 6);
+		for (p = 0; p < N; p++)
+			f[p] += 1.1;
+		memcpy(g, f, sizeof f);
+		filter(i%2 ? DFT : DCT, SPECTRUM_PERCENT, 0, i/2, g, &kept);
+		assert_int_equal(kept, N);
+		assert_memory_equal(f, g, sizeof f);
+	}
+	for (p = 0; p < N; p++)
+		f[p] = p%NU < NU/2 ? 0.1 : -0.1;
 	memcpy(g, f, sizeof f);
-	spectrum_filter(NU, NV, g, SPECTRUM_PERCENT, 0, &kept);
-	assert_int_equal(kept, N);
+	filter(DCT, SPECTRUM_PERCENT, 0, 0, g, &kept);
+	assert_true(kept < N);
 	assert_memory_equal(f, g, sizeof f);
 }
 
@@ -178,10 +266,12 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(inverse_undoes_forward),
-		cmocka_unit_test(adjoint),
-		cmocka_unit_test(a_wave_is_two_coefficients),
+		cmocka_unit_test(parseval),
+		cmocka_unit_test(a_wave_is_one_coefficient_or_a_pair),
 		cmocka_unit_test(percent_of_the_root_mean_square),
-		cmocka_unit_test(raw_bound_and_count),
+		cmocka_unit_test(raw_bound),
+		cmocka_unit_test(keep_counts),
+		cmocka_unit_test(log_knows_no_unit),
 		cmocka_unit_test(filter_projects),
 		cmocka_unit_test(bound_zero_keeps_every_bit),
 		cmocka_unit_test(blend_meets_its_ends),
