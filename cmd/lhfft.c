@@ -1,7 +1,7 @@
 /* lhfft - multi-scale representation: drop small Fourier coefficients of lambda and H */
 #include <stdlib.h>
 
-#include "../lib/spectrum.h"
+#include "../lib/filter.h"
 #include "cmd.h"
 
 static const char text[] =
@@ -64,12 +64,12 @@ clamp(const CmdInput *in, size_t n, double *lambda, double floor)
 }
 
 static void
-filter(const CmdInput *in, Lhg *g, const char *name, SpectrumBasis basis, const SpectrumFilter *by)
+filter(const CmdInput *in, Lhg *g, const char *name, SpectrumBasis basis, const Filter *by)
 {
 	double *f = cmd_need(in, g, name, LHG_GRID);
 	size_t kept, n = (size_t)g->nu*g->nv;
 
-	if (spectrum_filter((Spectrum){ basis, g->nu, g->nv }, by, f, &kept))
+	if (filter_field((Spectrum){ basis, g->nu, g->nv }, by, f, &kept))
 		die("%s: no memory for the transform of %zu nodes", in->name, n);
 	detail("%s: %zu of %zu coefficients of %s kept", in->name, kept, n, name);
 }
@@ -77,7 +77,7 @@ filter(const CmdInput *in, Lhg *g, const char *name, SpectrumBasis basis, const 
 int
 main(int argc, char *argv[])
 {
-	SpectrumFilter lambda_by = { SPECTRUM_PERCENT, -1, 1 }, H_by;
+	Filter lambda_by = { FILTER_PERCENT, -1, 1 }, H_by;
 	SpectrumBasis basis = SPECTRUM_DCT;
 	double keep = -1, floor, *lambda;
 	CmdInput in;
@@ -89,17 +89,17 @@ main(int argc, char *argv[])
 	while ((opt = cmd_getopt(argc, argv, "K:", longopt)) != -1)
 		switch (opt) {
 		case 'K': lambda_by.bound = opt_double(optarg, 0, 1e300, "bound"); break;
-		case 'r': lambda_by.rule = SPECTRUM_RAW; break;
+		case 'r': lambda_by.rule = FILTER_RAW; break;
 		case 'k': keep = opt_long(optarg, 1, 2147483647, "keep"); break;
 		case 'b': basis = opt_word(optarg, "dct\0dft\0", "basis"); break;
 		case 'l': lambda_by.log = 1; break;
 		case 'L': lambda_by.log = 0; break;
 		}
 	cmd_operands(argc, argv, 0, 1);
-	if ((lambda_by.bound < 0) == (keep < 0) || (keep > 0 && lambda_by.rule == SPECTRUM_RAW))
+	if ((lambda_by.bound < 0) == (keep < 0) || (keep > 0 && lambda_by.rule == FILTER_RAW))
 		misuse("say one of -K X, --raw -K X, --keep=N");
 	if (keep > 0)
-		lambda_by = (SpectrumFilter){ SPECTRUM_KEEP, keep, lambda_by.log };
+		lambda_by = (Filter){ FILTER_KEEP, keep, lambda_by.log };
 	H_by = lambda_by;
 	H_by.log = 0;
 	cmd_binary_output();

@@ -1,4 +1,4 @@
-/* spectrum.h - a grid field as a sum of waves, and which of them to keep.
+/* spectrum.h - a grid field as a sum of waves.
  *
  *   dct  C_mn = c_m c_n sum f_ij cos(pi m (2i+1)/(2 nu)) cos(pi n (2j+1)/(2 nv)),
  *        c_0 = 1, other c = sqrt 2, 0 <= m < nu, 0 <= n < nv: f goes on evenly across the
@@ -28,6 +28,9 @@ typedef struct Spectrum {
 /* Number of columns of C: nu, or nu/2 + 1. */
 int spectrum_columns(Spectrum s);
 
+/* Number of coefficients held, columns nv. */
+size_t spectrum_size(Spectrum s);
+
 /* How many of the nu nv coefficients one in column m stands for: 2 for a conjugate pair of
  * the dft of which only one is held, else 1. */
 int spectrum_weight(Spectrum s, int m);
@@ -36,27 +39,8 @@ int spectrum_weight(Spectrum s, int m);
 int spectrum_forward(Spectrum s, const double *f, double complex *C);
 int spectrum_inverse(Spectrum s, const double complex *C, double *f);
 
-/* Which coefficients stay; C_00, the mean, always does. */
-typedef enum SpectrumRule {
-	SPECTRUM_PERCENT,       /* |C|/(nu nv rms) x 100 > bound, rms the root mean square of f
-	                         * (of log f minus its mean, under log): a K that means the
-	                         * same for lambda and H, for any unit of length and any size
-	                         * of grid (DESIGN section 5) */
-	SPECTRUM_RAW,           /* |C| > bound, as (32) is written */
-	SPECTRUM_KEEP           /* the `bound` largest in modulus, of nu nv, and those equal to
-	                         * the last; a conjugate pair counts two, kept or dropped as
-	                         * one */
-} SpectrumRule;
-
-typedef struct SpectrumFilter {
-	SpectrumRule rule;
-	double       bound;     /* >= 0 */
-	int          log;       /* filter log f instead, f > 0; what comes out is > 0 again */
-} SpectrumFilter;
-
-/* Drop coefficients of f by the rule, in place.  A field of which nothing but zeros is
- * dropped is left as it is, to the last bit.  *kept: how many of nu nv stay.
- * Returns 0 or SPECTRUM_ENOMEM. */
-int spectrum_filter(Spectrum s, const SpectrumFilter *by, double *f, size_t *kept);
+/* |C|.  Conjugates held both, in the columns 0 and nu/2 of the dft, are given one modulus,
+ * not two apart by rounding: a bound keeps or drops them together. */
+void spectrum_moduli(Spectrum s, const double complex *C, double *modulus);
 
 #endif

@@ -2,7 +2,7 @@
 #include "cmock.h"
 
 #include "../lib/blend.h"
-#include "../lib/spectrum.h"
+#include "../lib/filter.h"
 #include "surfaces.h"
 
 enum { NU = 30, NV = 21, N = NU*NV };
@@ -19,9 +19,9 @@ random_field(double *f, unsigned long long seed)
 }
 
 static void
-filter(Spectrum s, SpectrumRule rule, double bound, int log, double *f, size_t *kept)
+filter(Spectrum s, FilterRule rule, double bound, int log, double *f, size_t *kept)
 {
-	assert_int_equal(spectrum_filter(s, &(SpectrumFilter){ rule, bound, log }, f, kept), 0);
+	assert_int_equal(filter_field(s, &(Filter){ rule, bound, log }, f, kept), 0);
 }
 
 static void
@@ -105,7 +105,7 @@ a_wave_is_one_coefficient_or_a_pair(void **state)
 
 /* Which of a wave's coefficients a bound keeps, just below and just above |C|. */
 static void
-straddle(Spectrum s, SpectrumRule rule, double at, int log, double mean, double amplitude)
+straddle(Spectrum s, FilterRule rule, double at, int log, double mean, double amplitude)
 {
 	double f[N], g[N], flat[N];
 	size_t kept, both = s.basis == SPECTRUM_DFT ? 3 : 2;
@@ -131,21 +131,21 @@ static void
 percent_of_the_root_mean_square(void **state)
 {
 	(void)state;
-	straddle(DFT, SPECTRUM_PERCENT, 100/sqrt(27), 0, 5, 2);
-	straddle(DCT, SPECTRUM_PERCENT, 100/sqrt(26), 0, 5, 2);
-	straddle(DFT, SPECTRUM_PERCENT, 100/sqrt(27), 0, 5e6, 2e6);
-	straddle(DFT, SPECTRUM_PERCENT, 100/sqrt(2), 1, 5, 2);
-	straddle(DCT, SPECTRUM_PERCENT, 100, 1, 5, 2);
-	straddle(DCT, SPECTRUM_PERCENT, 100, 1, 5 + log(1000), 2);
+	straddle(DFT, FILTER_PERCENT, 100/sqrt(27), 0, 5, 2);
+	straddle(DCT, FILTER_PERCENT, 100/sqrt(26), 0, 5, 2);
+	straddle(DFT, FILTER_PERCENT, 100/sqrt(27), 0, 5e6, 2e6);
+	straddle(DFT, FILTER_PERCENT, 100/sqrt(2), 1, 5, 2);
+	straddle(DCT, FILTER_PERCENT, 100, 1, 5, 2);
+	straddle(DCT, FILTER_PERCENT, 100, 1, 5 + log(1000), 2);
 }
 
 static void
 raw_bound(void **state)
 {
 	(void)state;
-	straddle(DFT, SPECTRUM_RAW, N, 0, 5, 2);
-	straddle(DCT, SPECTRUM_RAW, N, 0, 5, 2);
-	straddle(DCT, SPECTRUM_RAW, N, 1, 5, 2);
+	straddle(DFT, FILTER_RAW, N, 0, 5, 2);
+	straddle(DCT, FILTER_RAW, N, 0, 5, 2);
+	straddle(DCT, FILTER_RAW, N, 1, 5, 2);
 }
 
 static void
@@ -156,14 +156,14 @@ keep_counts(void **state)
 
 	(void)state;
 	random_field(f, 4);
-	filter(DFT, SPECTRUM_KEEP, 101, 0, f, &kept);
+	filter(DFT, FILTER_KEEP, 101, 0, f, &kept);
 	assert_true(kept == 101 || kept == 102);
-	filter(DFT, SPECTRUM_KEEP, 1, 0, f, &kept);
+	filter(DFT, FILTER_KEEP, 1, 0, f, &kept);
 	assert_int_equal(kept, 1);
 	random_field(f, 4);
-	filter(DCT, SPECTRUM_KEEP, 101, 0, f, &kept);
+	filter(DCT, FILTER_KEEP, 101, 0, f, &kept);
 	assert_int_equal(kept, 101);
-	filter(DCT, SPECTRUM_KEEP, 1, 0, f, &kept);
+	filter(DCT, FILTER_KEEP, 1, 0, f, &kept);
 	assert_int_equal(kept, 1);
 }
 
@@ -182,8 +182,8 @@ log_knows_no_unit(void **state)
 			f[p] = exp(f[p]);
 			g[p] = 1000*f[p];
 		}
-		filter(b ? DFT : DCT, SPECTRUM_PERCENT, 3, 1, f, &kept);
-		filter(b ? DFT : DCT, SPECTRUM_PERCENT, 3, 1, g, &again);
+		filter(b ? DFT : DCT, FILTER_PERCENT, 3, 1, f, &kept);
+		filter(b ? DFT : DCT, FILTER_PERCENT, 3, 1, g, &again);
 		assert_int_equal(kept, again);
 		assert_in_range(kept, N/10, 9*N/10);
 		for (p = 0; p < N; p++) {
@@ -207,9 +207,9 @@ filter_projects(void **state)
 	for (b = 0; b < 2; b++) {
 		random_field(f, 5);
 		memcpy(g, f, sizeof f);
-		filter(b ? DFT : DCT, SPECTRUM_KEEP, 200, 0, g, &kept);
+		filter(b ? DFT : DCT, FILTER_KEEP, 200, 0, g, &kept);
 		memcpy(h, g, sizeof g);
-		filter(b ? DFT : DCT, SPECTRUM_KEEP, kept, 0, h, &again);
+		filter(b ? DFT : DCT, FILTER_KEEP, kept, 0, h, &again);
 		assert_int_equal(kept, again);
 		assert_true(largest(N, g, h) < 1e-13);
 		for (dot = p = 0; p < N; p++)
@@ -233,14 +233,14 @@ bound_zero_keeps_every_bit(void **state)
 		for (p = 0; p < N; p++)
 			f[p] += 1.1;
 		memcpy(g, f, sizeof f);
-		filter(i%2 ? DFT : DCT, SPECTRUM_PERCENT, 0, i/2, g, &kept);
+		filter(i%2 ? DFT : DCT, FILTER_PERCENT, 0, i/2, g, &kept);
 		assert_int_equal(kept, N);
 		assert_memory_equal(f, g, sizeof f);
 	}
 	for (p = 0; p < N; p++)
 		f[p] = p%NU < NU/2 ? 0.1 : -0.1;
 	memcpy(g, f, sizeof f);
-	filter(DCT, SPECTRUM_PERCENT, 0, 0, g, &kept);
+	filter(DCT, FILTER_PERCENT, 0, 0, g, &kept);
 	assert_true(kept < N);
 	assert_memory_equal(f, g, sizeof f);
 }

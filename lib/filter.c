@@ -1,0 +1,128 @@
+/* filter.c - the rules of filter.h. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "filter.h"
+
+/* x is what is filtered, f or log f; C its coefficients, a their moduli. */
+typedef struct Waves {
+	double         *x, *a;
+	double complex *C;
+} Waves;
+
+static void
+waves_free(Waves *w)
+{
+	free(w->x);
+	free(w->a);
+	free(w->C);
+}
+
+static int
+waves_of(Spectrum s, int logarithm, const double *f, Waves *w)
+{
+	size_t n = (size_t)s.nu*s.nv, p;
+	int e = FILTER_ENOMEM;
+
+	w->x = malloc(n*sizeof *w->x);
+	w->a = malloc(spectrum_size(s)*sizeof *w->a);
+	w->C = malloc(spectrum_size(s)*sizeof *w->C);
+	if (w->x && w->a && w->C) {
+		for (p = 0; p < n; p++)
+			w->x[p] = logarithm ? log(f[p]) : f[p];
+		e = spectrum_forward(s, w->x, w->C);
+	}
+	if (e)
+		waves_free(w);
+	else
+		spectrum_moduli(s, w->C, w->a);
+	return e;
+}
+
+/* The |C| of one percent. */
+static double
+percent(Spectrum s, int logarithm, const Waves *w)
+{
+	size_t n = (size_t)s.nu*s.nv, p;
+	double from = logarithm ? creal(w->C[0])/n : 0, sum = 0;
+
+	for (p = 0; p < n; p++)
+		sum += (w->x[p] - from)*(w->x[p] - from);
+	return n*sqrt(sum/n)/100;
+}
+
+typedef struct Ranked {
+	double a;
+	size_t q;
+} Ranked;
+
+static int
+larger_first(const void *x, const void *y)
+{
+	const Ranked *r = x, *t = y;
+
+	if (r->a != t->a)
+		return r->a < t->a ? 1 : -1;
+	return r->q > t->q ? 1 : -1;
+}
+
+/* The modulus of the last coefficient that `count` keeps. */
+static int
+modulus_of_rank(Spectrum s, const double *a, double count, double *bound)
+{
+	Ranked *r = malloc(spectrum_size(s)*sizeof *r);
+	size_t q;
+	double sum = 0;
+
+	if (!r)
+		return FILTER_ENOMEM;
+	for (q = 0; q < spectrum_size(s); q++)
+		r[q] = (Ranked){ q ? a[q] : HUGE_VAL, q };
+	qsort(r, spectrum_size(s), sizeof *r, larger_first);
+	for (q = 0; q < spectrum_size(s) && sum < count; q++)
+		sum += spectrum_weight(s, r[q].q%spectrum_columns(s));
+	*bound = q ? r[q-1].a : HUGE_VAL;
+	free(r);
+	return 0;
+}
+
+/* Drops what is not above the bound (rule KEEP: below it).  Returns whether any of it was
+ * not zero. */
+static int
+drop(Spectrum s, double complex *C, const double *a, double bound, int keep_equal, size_t *kept)
+{
+	size_t q;
+	int changed = 0;
+
+	for (*kept = q = 0; q < spectrum_size(s); q++)
+		if (q == 0 || a[q] > bound || (keep_equal && a[q] == bound))
+			*kept += spectrum_weight(s, q%spectrum_columns(s));
+		else {
+			changed |= C[q] != 0;
+			C[q] = 0;                                       /* (32) */
+		}
+	return changed;
+}
+
+int
+filter_field(Spectrum s, const Filter *by, double *f, size_t *kept)
+{
+	size_t n = (size_t)s.nu*s.nv, p;
+	double bound = by->bound;
+	Waves w;
+	int e = waves_of(s, by->log, f, &w);
+
+	if (e)
+		return e;
+	if (by->rule == FILTER_PERCENT)
+		bound *= percent(s, by->log, &w);
+	if (by->rule == FILTER_KEEP)
+		e = modulus_of_rank(s, w.a, bound, &bound);
+	if (!e && drop(s, w.C, w.a, bound, by->rule == FILTER_KEEP, kept)) {
+		e = spectrum_inverse(s, w.C, w.x);
+		for (p = 0; p < n && !e; p++)
+			f[p] = by->log ? exp(w.x[p]) : w.x[p];
+	}
+	waves_free(&w);
+	return e;
+}

@@ -1,0 +1,32 @@
+/* filter.h - which waves of a grid field to keep: (32) and its kin. */
+#ifndef FILTER_H
+#define FILTER_H
+
+#include "spectrum.h"
+
+enum { FILTER_ENOMEM = -1 };
+
+/* Which coefficients stay; C_00, the mean, always does. */
+typedef enum FilterRule {
+	FILTER_PERCENT,         /* |C|/(nu nv rms) x 100 > bound, rms the root mean square of f
+	                         * (of log f minus its mean, under log): a K that means the
+	                         * same for lambda and H, for any unit of length and any size
+	                         * of grid (DESIGN section 5) */
+	FILTER_RAW,             /* |C| > bound, as (32) is written */
+	FILTER_KEEP             /* the `bound` largest in modulus, of nu nv, and those equal to
+	                         * the last; a conjugate pair counts two, kept or dropped as
+	                         * one */
+} FilterRule;
+
+typedef struct Filter {
+	FilterRule rule;
+	double     bound;       /* >= 0 */
+	int        log;         /* filter log f instead, f > 0; what comes out is > 0 again */
+} Filter;
+
+/* Drop coefficients of f by the rule, in place.  A field of which nothing but zeros is
+ * dropped is left as it is, to the last bit.  *kept: how many of nu nv stay.
+ * Returns 0 or FILTER_ENOMEM. */
+int filter_field(Spectrum s, const Filter *by, double *f, size_t *kept);
+
+#endif
