@@ -71,13 +71,15 @@ void cmd_binary_output(void);
 
 /* Streams of grids.  cmd_open reads path ("-" or NULL: stdin).  cmd_read gives the
  * next grid and 1, or 0 at the end; anything else dies with the name of the input and
- * the reason.  cmd_write adds the history line and writes to -o or stdout. */
+ * the reason; cmd_read_one dies unless the input is one grid.  cmd_write adds
+ * the history line and writes to -o or stdout. */
 typedef struct CmdInput {
 	const char *name;       /* for messages: the path, or "stdin" */
 	LhgStream   s;
 } CmdInput;
 void cmd_open(CmdInput *in, const char *path);
 int  cmd_read(CmdInput *in, Lhg *g);
+void cmd_read_one(CmdInput *in, Lhg *g);
 void cmd_write(Lhg *g);
 
 /* Write bytes (not a grid) to path, or to -o or stdout when path is NULL. */

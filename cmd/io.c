@@ -211,6 +211,16 @@ cmd_read(CmdInput *in, Lhg *g)
 	return got;
 }
 
+void
+cmd_read_one(CmdInput *in, Lhg *g)
+{
+	Lhg more;
+
+	cmd_read(in, g);
+	if (g->frames > 1 || cmd_read(in, &more))
+		die("%s: holds several grids, need one", in->name);
+}
+
 double *
 cmd_need(const CmdInput *in, const Lhg *g, const char *name, int support)
 {

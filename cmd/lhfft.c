@@ -1,15 +1,21 @@
 /* lhfft - multi-scale representation: drop small Fourier coefficients of lambda and H */
 #include <stdlib.h>
+#include <string.h>
 
-#include "../lib/filter.h"
 #include "cmd.h"
+#include "scales.h"
+
+enum { K_LAMBDA = 256, K_H };
 
 static const char text[] =
-"usage: lhfft -K PERCENT | --raw -K BOUND | --keep=N [LH] >lh.lhg\n"
-"reads and writes channels lambda H; all else passes through\n"
+"usage: lhfft -K X[,X..] | --keep=N[,N..] [LH] >lh.lhg\n"
+"reads and writes channels lambda H; all else passes through.  Several numbers give a\n"
+"stream of grids, one for each scale in the order given, from the one grid of the input.\n"
 "  -K, --bound=X      drop the coefficients C with |C| <= X percent of the field's root\n"
 "                     mean square, that is with |C|/(nodes rms) 100 <= X; 0 changes\n"
 "                     nothing; X >= 0\n"
+"      --K-lambda=X, --K-H=X  a bound for one field, in place of -K; without -K the\n"
+"                     other field stays as it is\n"
 "      --raw          X is compared with |C| itself, as equation (32) is written\n"
 "      --keep=N       keep the N largest coefficients of either field instead, N >= 1\n"
 "      --basis=dct|dft  cosines, or the complex exponentials of the paper [dct]\n"
@@ -29,6 +35,8 @@ CMD_USAGE
 
 static const struct option longopt[] = {
 	{ "bound",         required_argument, NULL, 'K' },
+	{ "K-lambda",      required_argument, NULL, K_LAMBDA },
+	{ "K-H",           required_argument, NULL, K_H },
 	{ "raw",           no_argument,       NULL, 'r' },
 	{ "keep",          required_argument, NULL, 'k' },
 	{ "basis",         required_argument, NULL, 'b' },
@@ -37,86 +45,65 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
-static double
-least(size_t n, const double *f)
-{
-	double min = f[0];
-	size_t p;
-
-	for (p = 1; p < n; p++)
-		min = f[p] < min ? f[p] : min;
-	return min;
-}
-
-/* lambda is a length: it must not come out of the filter negative. */
+/* One grid becomes a set of s->n. */
 static void
-clamp(const CmdInput *in, size_t n, double *lambda, double floor)
+write_scales(const CmdInput *in, Lhg *g, const Scales *s)
 {
-	size_t p, count = 0;
+	double *lambda = cmd_need(in, g, "lambda", LHG_GRID), *H = cmd_need(in, g, "H", LHG_GRID);
+	size_t n = (size_t)g->nu*g->nv, past = g->hist ? strlen(g->hist) : 0;
+	double *was = cmd_alloc(2*n, sizeof *was);
+	int k;
 
-	for (p = 0; p < n; p++)
-		if (lambda[p] < floor) {
-			lambda[p] = floor;
-			count++;
-		}
-	if (count)
-		note("%s: lambda raised to %g, its least before, at %zu of %zu nodes", in->name, floor, count, n);
-}
-
-static void
-filter(const CmdInput *in, Lhg *g, const char *name, SpectrumBasis basis, const Filter *by)
-{
-	double *f = cmd_need(in, g, name, LHG_GRID);
-	size_t kept, n = (size_t)g->nu*g->nv;
-
-	if (filter_field((Spectrum){ basis, g->nu, g->nv }, by, f, &kept))
-		die("%s: no memory for the transform of %zu nodes", in->name, n);
-	detail("%s: %zu of %zu coefficients of %s kept", in->name, kept, n, name);
+	memcpy(was, lambda, n*sizeof *was);
+	memcpy(was + n, H, n*sizeof *was);
+	g->frames = s->n;
+	for (k = 0; k < s->n; k++) {
+		g->frame = k + 1;
+		cmd_meta(g, s->option, "%.10g", s->bound[k]);
+		scales_apply(s, k, in, g);
+		cmd_write(g);
+		g->hist[past] = '\0';                   /* every frame has one step more than g */
+		memcpy(lambda, was, n*sizeof *was);
+		memcpy(H, was + n, n*sizeof *was);
+	}
+	free(was);
 }
 
 int
 main(int argc, char *argv[])
 {
-	Filter lambda_by = { FILTER_PERCENT, -1, 1 }, H_by;
-	SpectrumBasis basis = SPECTRUM_DCT;
-	double keep = -1, floor, *lambda;
 	CmdInput in;
-	size_t n;
+	Scales s;
 	int opt;
 	Lhg g;
 
 	cmd_begin("lhfft", text);
+	scales_init(&s);
 	while ((opt = cmd_getopt(argc, argv, "K:", longopt)) != -1)
 		switch (opt) {
-		case 'K': lambda_by.bound = opt_double(optarg, 0, 1e300, "bound"); break;
-		case 'r': lambda_by.rule = FILTER_RAW; break;
-		case 'k': keep = opt_long(optarg, 1, 2147483647, "keep"); break;
-		case 'b': basis = opt_word(optarg, "dct\0dft\0", "basis"); break;
-		case 'l': lambda_by.log = 1; break;
-		case 'L': lambda_by.log = 0; break;
+		case 'K': scales_set(&s, FILTER_PERCENT, "bound", optarg); break;
+		case K_LAMBDA: s.lambda = opt_double(optarg, 0, 1e300, "K-lambda"); break;
+		case K_H: s.H = opt_double(optarg, 0, 1e300, "K-H"); break;
+		case 'r': s.raw = 1; break;
+		case 'k': scales_set(&s, FILTER_KEEP, "keep", optarg); break;
+		case 'b': s.basis = opt_word(optarg, "dct\0dft\0", "basis"); break;
+		case 'l': s.log = 1; break;
+		case 'L': s.log = 0; break;
 		}
 	cmd_operands(argc, argv, 0, 1);
-	if ((lambda_by.bound < 0) == (keep < 0) || (keep > 0 && lambda_by.rule == FILTER_RAW))
-		misuse("say one of -K X, --raw -K X, --keep=N");
-	if (keep > 0)
-		lambda_by = (Filter){ FILTER_KEEP, keep, lambda_by.log };
-	H_by = lambda_by;
-	H_by.log = 0;
+	scales_check(&s);
 	cmd_binary_output();
 
 	cmd_open(&in, argv[optind]);
-	while (cmd_read(&in, &g)) {
-		n = (size_t)g.nu*g.nv;
-		lambda = cmd_need(&in, &g, "lambda", LHG_GRID);
-		floor = least(n, lambda);
-		if (!(floor > 0))
-			die("%s: lambda is not positive everywhere", in.name);
-		filter(&in, &g, "lambda", basis, &lambda_by);
-		filter(&in, &g, "H", basis, &H_by);
-		if (!lambda_by.log)
-			clamp(&in, n, lambda, floor);
-		cmd_write(&g);
+	if (s.n > 1) {
+		cmd_read_one(&in, &g);
+		write_scales(&in, &g, &s);
 		lhg_free(&g);
-	}
+	} else
+		while (cmd_read(&in, &g)) {
+			scales_apply(&s, 0, &in, &g);
+			cmd_write(&g);
+			lhg_free(&g);
+		}
 	return cmd_end();
 }

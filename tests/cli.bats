@@ -43,6 +43,13 @@ setup_file() {
 	try 2 'say one of'                          /dev/null lhfft -K 2 --keep=3
 	try 2 'say one of'                          /dev/null lhfft --raw --keep=3
 	try 2 'need a whole number in \[1,'         /dev/null lhfft --keep=0
+	try 2 'say one of'                          /dev/null lhfft --K-H=1 --keep=3
+	try 2 'say one of'                          /dev/null lhfft --raw
+	try 2 'bound=: need a number in \[0,'       /dev/null lhfft -K 1,,2
+	try 2 'bound=: need a number in \[0,'       /dev/null lhfft -K 1,
+	try 2 'bound=-2: need a number in \[0,'     /dev/null lhfft -K 1,-2
+	try 2 'K-H=x: need a number in \[0,'        /dev/null lhfft -K 1 --K-H=x
+	try 2 'more than 256 scales'                /dev/null lhfft -K "$(seq -s, 257)"
 	try 2 'not one of its words'                /dev/null lhfft -K 1 --basis=fft
 	try 2 'need a number in \[0,1\]'            /dev/null lhinterp -t 1.5 a b
 	try 2 'say one of'                          /dev/null lhinterp a b
@@ -84,6 +91,7 @@ setup_file() {
 	try 1 'has a channel start.x, .* has none'       /dev/null lhinterp -t 0 "$tmp/lh" "$tmp/nostart.lh"
 	try 1 'has a channel start.x, .* has none'       /dev/null lhinterp -t 0 "$tmp/nostart.lh" "$tmp/lh"
 	try 1 'holds several grids'                      /dev/null lhinterp -t 0 "$tmp/three.lh" "$tmp/lh"
+	try 1 'stdin: holds several grids, need one'     "$tmp/three.lh" lhfft -K 1,2
 	try 1 'holds several grids'                      "$tmp/three.phi" grid2mesh
 	try 1 'holds several grids'                      "$tmp/three.phi" grid2mesh -o "$tmp/one.off"
 	[ ! -e "$tmp/one.off" ]

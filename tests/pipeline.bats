@@ -75,14 +75,14 @@ setup_file() {
 	done
 }
 
-# same A B: lambda and H are equal to the last bit.
+# same A B [CHANNEL..]: the last grids of A and B have equal channels (lambda H), to the last bit.
 same() {
 	/usr/bin/python3 - "$@" <<-'END'
 		import sys
 		sys.path.insert(0, 'scripts')
 		import lhg
-		a, b = (next(iter(lhg.read(f))) for f in sys.argv[1:])
-		sys.exit(any(a[c].tobytes() != b[c].tobytes() for c in ('lambda', 'H')))
+		a, b = (list(lhg.read(f))[-1] for f in sys.argv[1:3])
+		sys.exit(any(a[c].tobytes() != b[c].tobytes() for c in sys.argv[3:] or ('lambda', 'H')))
 	END
 }
 
@@ -99,6 +99,40 @@ same() {
 		lhfft -K 1 $o "$tmp/torus.lh" -o "$tmp/other"
 		! same "$tmp/k" "$tmp/other" || { echo "$o does nothing"; return 1; }
 	done
+}
+
+@test "lhfft: bounds for either field" {
+	lhfft -K 2 "$tmp/torus.lh" -o "$tmp/two"
+	lhfft -K 1 --K-H 2 "$tmp/torus.lh" -o "$tmp/apart"
+	same "$tmp/apart" "$tmp/two" H
+	same "$tmp/apart" <(lhfft -K 1 "$tmp/torus.lh") lambda
+	lhfft --K-lambda 2 "$tmp/torus.lh" -o "$tmp/apart"
+	same "$tmp/apart" "$tmp/two" lambda
+	same "$tmp/apart" "$tmp/torus.lh" H
+	! same "$tmp/apart" "$tmp/torus.lh" lambda
+}
+
+@test "lhfft: several scales are the frames of one stream" {
+	local i=1 K
+	lhfft -K 0.5,2,0 "$tmp/torus.lh" -o "$tmp/scales"
+	head -c $(($(wc -c <"$tmp/scales")/3)) "$tmp/scales" | sed '/^end/q' >"$tmp/head"
+	grep -q '^frame 1 3 ' "$tmp/head"
+	grep -q '^meta bound 0.5$' "$tmp/head"
+	[ "$(grep -ac '^history lhfft --bound=0.5,2,0' "$tmp/scales")" = 3 ]
+	for K in 0.5 2 0; do
+		/usr/bin/python3 - "$tmp/scales" $i "$tmp/frame" <<-'END'
+			import sys
+			sys.path.insert(0, 'scripts')
+			import lhg
+			g = list(lhg.read(sys.argv[1]))[int(sys.argv[2]) - 1]
+			g.frame = g.frames = 1
+			lhg.write(open(sys.argv[3], 'wb'), [g])
+		END
+		same "$tmp/frame" <(lhfft -K $K "$tmp/torus.lh")
+		i=$((i + 1))
+	done
+	lh2grid "$tmp/scales" | grid2mesh -o "$tmp/scale%d.off"
+	[ -s "$tmp/scale3.off" ]
 }
 
 @test "lhfft: lambda stays positive, by its logarithm or by a floor that is noted" {

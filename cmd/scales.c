@@ -1,0 +1,108 @@
+/* scales.c - the options of lhfft that say what to keep, and what they do to a grid. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "cmd.h"
+#include "scales.h"
+
+static const char ways[] = "say one of -K X, --raw -K X, --keep=N";
+
+void
+scales_init(Scales *s)
+{
+	*s = (Scales){ .lambda = -1, .H = -1, .log = 1 };
+}
+
+static double
+number(FilterRule rule, const char *option, const char *word)
+{
+	switch (rule) {
+	case FILTER_KEEP: return opt_long(word, 1, 2147483647, option);
+	default:          return opt_double(word, 0, 1e300, option);
+	}
+}
+
+void
+scales_set(Scales *s, FilterRule rule, const char *option, const char *list)
+{
+	char *copy = cmd_alloc(strlen(list) + 1, 1), *word = copy, *comma;
+
+	if (s->option && strcmp(s->option, option) != 0)
+		misuse("%s", ways);
+	s->option = option;
+	s->rule = rule;
+	strcpy(copy, list);
+	for (s->n = 0; word; word = comma) {
+		if ((comma = strchr(word, ',')))
+			*comma++ = '\0';
+		if (s->n == SCALES_MAX)
+			misuse("--%s: more than %d scales", option, SCALES_MAX);
+		s->bound[s->n++] = number(rule, option, word);
+	}
+	free(copy);
+}
+
+void
+scales_check(Scales *s)
+{
+	int apart = s->lambda >= 0 || s->H >= 0;
+
+	if ((!s->option && !apart) || ((apart || s->raw) && s->rule != FILTER_PERCENT))
+		misuse("%s", ways);
+	if (!s->option)
+		s->n = 1;               /* bound 0: the field without its own stays as it is */
+	if (s->raw)
+		s->rule = FILTER_RAW;
+}
+
+static double
+least(size_t n, const double *f)
+{
+	double min = f[0];
+	size_t p;
+
+	for (p = 1; p < n; p++)
+		min = f[p] < min ? f[p] : min;
+	return min;
+}
+
+/* lambda is a length: it must not come out of the filter negative. */
+static void
+clamp(const CmdInput *in, size_t n, double *lambda, double floor)
+{
+	size_t p, count = 0;
+
+	for (p = 0; p < n; p++)
+		if (lambda[p] < floor) {
+			lambda[p] = floor;
+			count++;
+		}
+	if (count)
+		note("%s: lambda raised to %g, its least before, at %zu of %zu nodes", in->name, floor, count, n);
+}
+
+static void
+filter(const CmdInput *in, const Lhg *g, const char *name, SpectrumBasis basis, Filter by)
+{
+	double *f = cmd_need(in, g, name, LHG_GRID);
+	size_t kept, n = (size_t)g->nu*g->nv;
+
+	if (filter_field((Spectrum){ basis, g->nu, g->nv }, &by, f, &kept))
+		die("%s: no memory for the transform of %zu nodes", in->name, n);
+	detail("%s: %zu of %zu coefficients of %s kept", in->name, kept, n, name);
+}
+
+void
+scales_apply(const Scales *s, int k, const CmdInput *in, Lhg *g)
+{
+	double *lambda = cmd_need(in, g, "lambda", LHG_GRID), K = s->bound[k], floor;
+	size_t n = (size_t)g->nu*g->nv;
+
+	floor = least(n, lambda);
+	if (!(floor > 0))
+		die("%s: lambda is not positive everywhere", in->name);
+	filter(in, g, "lambda", s->basis, (Filter){ s->rule, s->lambda >= 0 ? s->lambda : K, s->log });
+	filter(in, g, "H", s->basis, (Filter){ s->rule, s->H >= 0 ? s->H : K, 0 });
+	if (!s->log)
+		clamp(in, n, lambda, floor);
+}
