@@ -8,7 +8,7 @@
 enum { K_LAMBDA = 256, K_H };
 
 static const char text[] =
-"usage: lhfft -K X[,X..] | --keep=N[,N..] [LH] >lh.lhg\n"
+"usage: lhfft -K X[,X..] | --keep=N[,..] | --energy=SHARE[,..] [LH] >lh.lhg\n"
 "reads and writes channels lambda H; all else passes through.  Several numbers give a\n"
 "stream of grids, one for each scale in the order given, from the one grid of the input.\n"
 "  -K, --bound=X      drop the coefficients C with |C| <= X percent of the field's root\n"
@@ -18,6 +18,8 @@ static const char text[] =
 "                     other field stays as it is\n"
 "      --raw          X is compared with |C| itself, as equation (32) is written\n"
 "      --keep=N       keep the N largest coefficients of either field instead, N >= 1\n"
+"      --energy=SHARE keep the largest coefficients until they hold SHARE of the energy,\n"
+"                     sum |C|^2 without the mean; 0..1, 1 changes nothing\n"
 "      --basis=dct|dft  cosines, or the complex exponentials of the paper [dct]\n"
 "      --log-lambda   filter the logarithm of lambda, rms being that of the logarithm\n"
 "                     minus its mean [this]\n"
@@ -39,6 +41,7 @@ static const struct option longopt[] = {
 	{ "K-H",           required_argument, NULL, K_H },
 	{ "raw",           no_argument,       NULL, 'r' },
 	{ "keep",          required_argument, NULL, 'k' },
+	{ "energy",        required_argument, NULL, 'e' },
 	{ "basis",         required_argument, NULL, 'b' },
 	{ "log-lambda",    no_argument,       NULL, 'l' },
 	{ "no-log-lambda", no_argument,       NULL, 'L' },
@@ -86,6 +89,7 @@ main(int argc, char *argv[])
 		case K_H: s.H = opt_double(optarg, 0, 1e300, "K-H"); break;
 		case 'r': s.raw = 1; break;
 		case 'k': scales_set(&s, FILTER_KEEP, "keep", optarg); break;
+		case 'e': scales_set(&s, FILTER_ENERGY, "energy", optarg); break;
 		case 'b': s.basis = opt_word(optarg, "dct\0dft\0", "basis"); break;
 		case 'l': s.log = 1; break;
 		case 'L': s.log = 0; break;

@@ -5,7 +5,7 @@
 #include "cmd.h"
 #include "scales.h"
 
-static const char ways[] = "say one of -K X, --raw -K X, --keep=N";
+static const char ways[] = "say one of -K X, --raw -K X, --keep=N, --energy=SHARE";
 
 void
 scales_init(Scales *s)
@@ -17,8 +17,9 @@ static double
 number(FilterRule rule, const char *option, const char *word)
 {
 	switch (rule) {
-	case FILTER_KEEP: return opt_long(word, 1, 2147483647, option);
-	default:          return opt_double(word, 0, 1e300, option);
+	case FILTER_KEEP:   return opt_long(word, 1, 2147483647, option);
+	case FILTER_ENERGY: return opt_double(word, 0, 1, option);
+	default:            return opt_double(word, 0, 1e300, option);
 	}
 }
 

@@ -66,27 +66,43 @@ larger_first(const void *x, const void *y)
 	return r->q > t->q ? 1 : -1;
 }
 
-/* The modulus of the last coefficient that `count` keeps. */
-static int
-modulus_of_rank(Spectrum s, const double *a, double count, double *bound)
+/* What coefficient q adds to the sum that a rule bounds: their number, or their energy. */
+static double
+part(Spectrum s, FilterRule rule, const Ranked *r)
 {
-	Ranked *r = malloc(spectrum_size(s)*sizeof *r);
-	size_t q;
-	double sum = 0;
+	int weight = spectrum_weight(s, r->q%spectrum_columns(s));
+
+	if (rule == FILTER_KEEP)
+		return weight;
+	return r->q ? weight*r->a*r->a : 0;
+}
+
+/* The modulus of the last coefficient needed for the sum. */
+static int
+last_of_sum(Spectrum s, FilterRule rule, const double *a, double *bound)
+{
+	size_t n = spectrum_size(s), q;
+	Ranked *r = malloc(n*sizeof *r);
+	double sum = 0, goal = *bound;
 
 	if (!r)
 		return FILTER_ENOMEM;
-	for (q = 0; q < spectrum_size(s); q++)
-		r[q] = (Ranked){ q ? a[q] : HUGE_VAL, q };
-	qsort(r, spectrum_size(s), sizeof *r, larger_first);
-	for (q = 0; q < spectrum_size(s) && sum < count; q++)
-		sum += spectrum_weight(s, r[q].q%spectrum_columns(s));
+	for (q = 0; q < n; q++)
+		r[q] = (Ranked){ q ? a[q] : HUGE_VAL, q };      /* the mean comes first */
+	qsort(r, n, sizeof *r, larger_first);
+	if (rule == FILTER_ENERGY) {
+		for (q = 0; q < n; q++)
+			sum += part(s, rule, &r[q]);
+		goal = *bound < 1 ? *bound*sum : HUGE_VAL;      /* not short of all by rounding */
+	}
+	for (sum = q = 0; q < n && sum < goal; q++)
+		sum += part(s, rule, &r[q]);
 	*bound = q ? r[q-1].a : HUGE_VAL;
 	free(r);
 	return 0;
 }
 
-/* Drops what is not above the bound (rule KEEP: below it).  Returns whether any of it was
+/* Drops what is not above the bound, or, with keep_equal, below it.  Returns whether any of it was
  * not zero. */
 static int
 drop(Spectrum s, double complex *C, const double *a, double bound, int keep_equal, size_t *kept)
@@ -108,6 +124,7 @@ int
 filter_field(Spectrum s, const Filter *by, double *f, size_t *kept)
 {
 	size_t n = (size_t)s.nu*s.nv, p;
+	int ranked = by->rule == FILTER_KEEP || by->rule == FILTER_ENERGY;
 	double bound = by->bound;
 	Waves w;
 	int e = waves_of(s, by->log, f, &w);
@@ -116,9 +133,9 @@ filter_field(Spectrum s, const Filter *by, double *f, size_t *kept)
 		return e;
 	if (by->rule == FILTER_PERCENT)
 		bound *= percent(s, by->log, &w);
-	if (by->rule == FILTER_KEEP)
-		e = modulus_of_rank(s, w.a, bound, &bound);
-	if (!e && drop(s, w.C, w.a, bound, by->rule == FILTER_KEEP, kept)) {
+	if (ranked)
+		e = last_of_sum(s, by->rule, w.a, &bound);
+	if (!e && drop(s, w.C, w.a, bound, ranked, kept)) {
 		e = spectrum_inverse(s, w.C, w.x);
 		for (p = 0; p < n && !e; p++)
 			f[p] = by->log ? exp(w.x[p]) : w.x[p];

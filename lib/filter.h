@@ -13,9 +13,11 @@ typedef enum FilterRule {
 	                         * same for lambda and H, for any unit of length and any size
 	                         * of grid (DESIGN section 5) */
 	FILTER_RAW,             /* |C| > bound, as (32) is written */
-	FILTER_KEEP             /* the `bound` largest in modulus, of nu nv, and those equal to
+	FILTER_KEEP,            /* the `bound` largest in modulus, of nu nv, and those equal to
 	                         * the last; a conjugate pair counts two, kept or dropped as
 	                         * one */
+	FILTER_ENERGY           /* the largest in modulus, until they hold `bound` of the sum of
+	                         * |C|^2 without the mean; 1 keeps all */
 } FilterRule;
 
 typedef struct Filter {

@@ -92,6 +92,7 @@ same() {
 		lhfft -K 0 $o "$tmp/torus.lh" -o "$tmp/k"
 		same "$tmp/k" "$tmp/torus.lh"
 	done
+	same "$tmp/torus.lh" <(lhfft --energy=1 "$tmp/torus.lh")
 	lhfft -K 1 "$tmp/torus.lh" -o "$tmp/k"
 	lhfft -K 1 --no-log-lambda --log-lambda --basis=dct "$tmp/torus.lh" -o "$tmp/named"
 	same "$tmp/k" "$tmp/named"

@@ -167,6 +167,49 @@ keep_counts(void **state)
 	assert_int_equal(kept, 1);
 }
 
+static double
+variance(const double *f, const double *from)
+{
+	double mean = 0, sum = 0;
+	int p;
+
+	for (p = 0; p < N; p++)
+		mean += (f[p] - (from ? from[p] : 0))/N;
+	for (p = 0; p < N; p++)
+		sum += pow(f[p] - (from ? from[p] : 0) - mean, 2)/N;
+	return sum;
+}
+
+/* What is kept holds the share, and, without its last coefficient, no longer does. */
+static void
+energy_holds_the_share(void **state)
+{
+	double f[N], g[N], h[N];
+	size_t kept, fewer;
+	int b, p;
+
+	(void)state;
+	for (b = 0; b < 2; b++) {
+		Spectrum s = b ? DFT : DCT;
+
+		random_field(f, 10);
+		for (p = 0; p < N; p++)
+			f[p] += 7;
+		memcpy(g, f, sizeof f);
+		memcpy(h, f, sizeof f);
+		filter(s, FILTER_ENERGY, 0.6, 0, g, &kept);
+		assert_in_range(kept, N/20, N/2);
+		assert_true(variance(g, NULL) >= 0.6*variance(f, NULL));
+		assert_true(variance(f, g) <= 0.4*variance(f, NULL));
+		filter(s, FILTER_KEEP, kept - (b ? 2 : 1), 0, h, &fewer);
+		assert_true(variance(h, NULL) < 0.6*variance(f, NULL));
+		filter(s, FILTER_ENERGY, 1, 0, f, &kept);
+		assert_int_equal(kept, N);
+		filter(s, FILTER_ENERGY, 0, 0, f, &kept);
+		assert_int_equal(kept, 1);
+	}
+}
+
 /* A field of lengths in metres and in millimetres keeps the same waves of its logarithm. */
 static void
 log_knows_no_unit(void **state)
@@ -271,6 +314,7 @@ main(void)
 		cmocka_unit_test(percent_of_the_root_mean_square),
 		cmocka_unit_test(raw_bound),
 		cmocka_unit_test(keep_counts),
+		cmocka_unit_test(energy_holds_the_share),
 		cmocka_unit_test(log_knows_no_unit),
 		cmocka_unit_test(filter_projects),
 		cmocka_unit_test(bound_zero_keeps_every_bit),
