@@ -8,7 +8,8 @@
 enum { K_LAMBDA = 256, K_H };
 
 static const char text[] =
-"usage: lhfft -K X[,X..] | --keep=N[,..] | --energy=SHARE[,..] [LH] >lh.lhg\n"
+"usage: lhfft -K X[,X..] | --keep=N[,..] | --energy=SHARE[,..] | --low-pass=R[,..] [LH]\n"
+"             >lh.lhg\n"
 "reads and writes channels lambda H; all else passes through.  Several numbers give a\n"
 "stream of grids, one for each scale in the order given, from the one grid of the input.\n"
 "  -K, --bound=X      drop the coefficients C with |C| <= X percent of the field's root\n"
@@ -20,6 +21,8 @@ static const char text[] =
 "      --keep=N       keep the N largest coefficients of either field instead, N >= 1\n"
 "      --energy=SHARE keep the largest coefficients until they hold SHARE of the energy,\n"
 "                     sum |C|^2 without the mean; 0..1, 1 changes nothing\n"
+"      --low-pass=R   keep the waves of up to R cycles per unit of u, the width of the\n"
+"                     rectangle, in every direction; R >= 0\n"
 "      --basis=dct|dft  cosines, or the complex exponentials of the paper [dct]\n"
 "      --log-lambda   filter the logarithm of lambda, rms being that of the logarithm\n"
 "                     minus its mean [this]\n"
@@ -42,6 +45,7 @@ static const struct option longopt[] = {
 	{ "raw",           no_argument,       NULL, 'r' },
 	{ "keep",          required_argument, NULL, 'k' },
 	{ "energy",        required_argument, NULL, 'e' },
+	{ "low-pass",      required_argument, NULL, 'w' },
 	{ "basis",         required_argument, NULL, 'b' },
 	{ "log-lambda",    no_argument,       NULL, 'l' },
 	{ "no-log-lambda", no_argument,       NULL, 'L' },
@@ -90,6 +94,7 @@ main(int argc, char *argv[])
 		case 'r': s.raw = 1; break;
 		case 'k': scales_set(&s, FILTER_KEEP, "keep", optarg); break;
 		case 'e': scales_set(&s, FILTER_ENERGY, "energy", optarg); break;
+		case 'w': scales_set(&s, FILTER_LOWPASS, "low-pass", optarg); break;
 		case 'b': s.basis = opt_word(optarg, "dct\0dft\0", "basis"); break;
 		case 'l': s.log = 1; break;
 		case 'L': s.log = 0; break;

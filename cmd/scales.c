@@ -5,7 +5,7 @@
 #include "cmd.h"
 #include "scales.h"
 
-static const char ways[] = "say one of -K X, --raw -K X, --keep=N, --energy=SHARE";
+static const char ways[] = "say one of -K X, --raw -K X, --keep=N, --energy=SHARE, --low-pass=R";
 
 void
 scales_init(Scales *s)
@@ -88,7 +88,7 @@ filter(const CmdInput *in, const Lhg *g, const char *name, SpectrumBasis basis, 
 	double *f = cmd_need(in, g, name, LHG_GRID);
 	size_t kept, n = (size_t)g->nu*g->nv;
 
-	if (filter_field((Spectrum){ basis, g->nu, g->nv }, &by, f, &kept))
+	if (filter_field((Spectrum){ basis, { g->nu, g->nv, g->T } }, &by, f, &kept))
 		die("%s: no memory for the transform of %zu nodes", in->name, n);
 	detail("%s: %zu of %zu coefficients of %s kept", in->name, kept, n, name);
 }

@@ -21,7 +21,7 @@ waves_free(Waves *w)
 static int
 waves_of(Spectrum s, int logarithm, const double *f, Waves *w)
 {
-	size_t n = (size_t)s.nu*s.nv, p;
+	size_t n = (size_t)s.g.nu*s.g.nv, p;
 	int e = FILTER_ENOMEM;
 
 	w->x = malloc(n*sizeof *w->x);
@@ -43,7 +43,7 @@ waves_of(Spectrum s, int logarithm, const double *f, Waves *w)
 static double
 percent(Spectrum s, int logarithm, const Waves *w)
 {
-	size_t n = (size_t)s.nu*s.nv, p;
+	size_t n = (size_t)s.g.nu*s.g.nv, p;
 	double from = logarithm ? creal(w->C[0])/n : 0, sum = 0;
 
 	for (p = 0; p < n; p++)
@@ -102,6 +102,17 @@ last_of_sum(Spectrum s, FilterRule rule, const double *a, double *bound)
 	return 0;
 }
 
+/* Ranks by the length of the waves instead of the modulus. */
+static void
+longer_first(Spectrum s, double *a, double *bound)
+{
+	size_t q;
+
+	for (q = 0; q < spectrum_size(s); q++)
+		a[q] = -spectrum_wave(s, q);
+	*bound = -*bound;
+}
+
 /* Drops what is not above the bound, or, with keep_equal, below it.  Returns whether any of it was
  * not zero. */
 static int
@@ -123,19 +134,21 @@ drop(Spectrum s, double complex *C, const double *a, double bound, int keep_equa
 int
 filter_field(Spectrum s, const Filter *by, double *f, size_t *kept)
 {
-	size_t n = (size_t)s.nu*s.nv, p;
-	int ranked = by->rule == FILTER_KEEP || by->rule == FILTER_ENERGY;
+	size_t n = (size_t)s.g.nu*s.g.nv, p;
 	double bound = by->bound;
 	Waves w;
 	int e = waves_of(s, by->log, f, &w);
 
 	if (e)
 		return e;
-	if (by->rule == FILTER_PERCENT)
-		bound *= percent(s, by->log, &w);
-	if (ranked)
-		e = last_of_sum(s, by->rule, w.a, &bound);
-	if (!e && drop(s, w.C, w.a, bound, ranked, kept)) {
+	switch (by->rule) {
+	case FILTER_PERCENT: bound *= percent(s, by->log, &w); break;
+	case FILTER_RAW:     break;
+	case FILTER_KEEP:
+	case FILTER_ENERGY:  e = last_of_sum(s, by->rule, w.a, &bound); break;
+	case FILTER_LOWPASS: longer_first(s, w.a, &bound); break;
+	}
+	if (!e && drop(s, w.C, w.a, bound, by->rule != FILTER_PERCENT && by->rule != FILTER_RAW, kept)) {
 		e = spectrum_inverse(s, w.C, w.x);
 		for (p = 0; p < n && !e; p++)
 			f[p] = by->log ? exp(w.x[p]) : w.x[p];

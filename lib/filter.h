@@ -16,8 +16,9 @@ typedef enum FilterRule {
 	FILTER_KEEP,            /* the `bound` largest in modulus, of nu nv, and those equal to
 	                         * the last; a conjugate pair counts two, kept or dropped as
 	                         * one */
-	FILTER_ENERGY           /* the largest in modulus, until they hold `bound` of the sum of
+	FILTER_ENERGY,          /* the largest in modulus, until they hold `bound` of the sum of
 	                         * |C|^2 without the mean; 1 keeps all */
+	FILTER_LOWPASS          /* wave number <= bound, in cycles per unit of u */
 } FilterRule;
 
 typedef struct Filter {

@@ -17,38 +17,48 @@ aligned(size_t bytes)
 int
 spectrum_columns(Spectrum s)
 {
-	return s.basis == SPECTRUM_DCT ? s.nu : s.nu/2 + 1;
+	return s.basis == SPECTRUM_DCT ? s.g.nu : s.g.nu/2 + 1;
 }
 
 int
 spectrum_weight(Spectrum s, int m)
 {
-	return s.basis == SPECTRUM_DCT || m == 0 || 2*m == s.nu ? 1 : 2;
+	return s.basis == SPECTRUM_DCT || m == 0 || 2*m == s.g.nu ? 1 : 2;
 }
 
 size_t
 spectrum_size(Spectrum s)
 {
-	return (size_t)spectrum_columns(s)*s.nv;
+	return (size_t)spectrum_columns(s)*s.g.nv;
+}
+
+double
+spectrum_wave(Spectrum s, size_t q)
+{
+	int m = q%spectrum_columns(s), n = q/spectrum_columns(s), half = s.basis == SPECTRUM_DCT ? 2 : 1;
+
+	if (s.basis == SPECTRUM_DFT && 2*n > s.g.nv)
+		n -= s.g.nv;
+	return hypot(m/(half*s.g.nu*chart_h(s.g)), n/(half*s.g.nv*chart_k(s.g)));
 }
 
 /* FFTW's REDFT10 is 4 sum f cos cos: C = e_m e_n of it, e_0 = 1/2, other e = 1/sqrt 2. */
 static double
 dct_norm(Spectrum s, size_t q)
 {
-	return (q%s.nu ? sqrt(0.5) : 0.5)*(q/s.nu ? sqrt(0.5) : 0.5);
+	return (q%s.g.nu ? sqrt(0.5) : 0.5)*(q/s.g.nu ? sqrt(0.5) : 0.5);
 }
 
 static fftw_plan
 dct_plan(Spectrum s, double *in, double *out, fftw_r2r_kind kind)
 {
-	return fftw_plan_r2r_2d(s.nv, s.nu, in, out, kind, kind, FFTW_ESTIMATE);
+	return fftw_plan_r2r_2d(s.g.nv, s.g.nu, in, out, kind, kind, FFTW_ESTIMATE);
 }
 
 int
 spectrum_forward(Spectrum s, const double *f, double complex *C)
 {
-	size_t n = (size_t)s.nu*s.nv, q;
+	size_t n = (size_t)s.g.nu*s.g.nv, q;
 	double *in = aligned(n*sizeof *in);
 	double complex *out = aligned(spectrum_size(s)*sizeof *out);
 	fftw_plan plan;
@@ -61,7 +71,7 @@ spectrum_forward(Spectrum s, const double *f, double complex *C)
 	if (s.basis == SPECTRUM_DCT)
 		plan = dct_plan(s, in, in, FFTW_REDFT10);
 	else
-		plan = fftw_plan_dft_r2c_2d(s.nv, s.nu, in, out, FFTW_ESTIMATE);
+		plan = fftw_plan_dft_r2c_2d(s.g.nv, s.g.nu, in, out, FFTW_ESTIMATE);
 	memcpy(in, f, n*sizeof *in);
 	fftw_execute(plan);
 	fftw_destroy_plan(plan);
@@ -75,7 +85,7 @@ spectrum_forward(Spectrum s, const double *f, double complex *C)
 int
 spectrum_inverse(Spectrum s, const double complex *C, double *f)
 {
-	size_t n = (size_t)s.nu*s.nv, q;
+	size_t n = (size_t)s.g.nu*s.g.nv, q;
 	double complex *in = aligned(spectrum_size(s)*sizeof *in);
 	double *out = aligned(n*sizeof *out);
 	fftw_plan plan;
@@ -89,7 +99,7 @@ spectrum_inverse(Spectrum s, const double complex *C, double *f)
 	if (dct)
 		plan = dct_plan(s, out, out, FFTW_REDFT01);     /* of REDFT10: 4 n f */
 	else
-		plan = fftw_plan_dft_c2r_2d(s.nv, s.nu, in, out, FFTW_ESTIMATE);
+		plan = fftw_plan_dft_c2r_2d(s.g.nv, s.g.nu, in, out, FFTW_ESTIMATE);
 	for (q = 0; q < spectrum_size(s); q++)
 		if (dct)
 			out[q] = creal(C[q])/dct_norm(s, q)/4;
@@ -109,9 +119,9 @@ spectrum_moduli(Spectrum s, const double complex *C, double *a)
 {
 	int m, n, twin, cols = spectrum_columns(s);
 
-	for (n = 0; n < s.nv; n++)
+	for (n = 0; n < s.g.nv; n++)
 		for (m = 0; m < cols; m++) {
-			twin = s.basis == SPECTRUM_DFT && spectrum_weight(s, m) == 1 && 2*n > s.nv ? s.nv - n : n;
+			twin = s.basis == SPECTRUM_DFT && spectrum_weight(s, m) == 1 && 2*n > s.g.nv ? s.g.nv - n : n;
 			a[(size_t)n*cols + m] = cabs(C[(size_t)twin*cols + m]);
 		}
 }

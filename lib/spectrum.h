@@ -15,14 +15,16 @@
 #include <complex.h>
 #include <stddef.h>
 
+#include "chart.h"
+
 enum { SPECTRUM_ENOMEM = -1 };
 
 typedef enum SpectrumBasis { SPECTRUM_DCT, SPECTRUM_DFT } SpectrumBasis;
 
-/* The space of coefficients of fields f[nv][nu]. */
+/* The space of coefficients of fields f[nv][nu] on a chart. */
 typedef struct Spectrum {
 	SpectrumBasis basis;
-	int           nu, nv;
+	Chart         g;
 } Spectrum;
 
 /* Number of columns of C: nu, or nu/2 + 1. */
@@ -34,6 +36,12 @@ size_t spectrum_size(Spectrum s);
 /* How many of the nu nv coefficients one in column m stands for: 2 for a conjugate pair of
  * the dft of which only one is held, else 1. */
 int spectrum_weight(Spectrum s, int m);
+
+/* The wave number of coefficient q of C: cycles per unit of u, in any direction of (u,v),
+ *
+ *   dct  |( m/(2 nu h), n/(2 nv k) )|
+ *   dft  |( m/(nu h), n/(nv k) )|, n - nv for n where that is nearer to 0 */
+double spectrum_wave(Spectrum s, size_t q);
 
 /* Return 0 or SPECTRUM_ENOMEM. */
 int spectrum_forward(Spectrum s, const double *f, double complex *C);

@@ -52,6 +52,8 @@ setup_file() {
 	try 2 'more than 256 scales'                /dev/null lhfft -K "$(seq -s, 257)"
 	try 2 'energy=1.5: need a number in \[0,1\]' /dev/null lhfft --energy=0.5,1.5
 	try 2 'say one of'                          /dev/null lhfft --raw --energy=0.5
+	try 2 'low-pass=-1: need a number in \[0,'  /dev/null lhfft --low-pass=-1
+	try 2 'say one of'                          /dev/null lhfft --low-pass=1 --energy=0.5
 	try 2 'not one of its words'                /dev/null lhfft -K 1 --basis=fft
 	try 2 'need a number in \[0,1\]'            /dev/null lhinterp -t 1.5 a b
 	try 2 'say one of'                          /dev/null lhinterp a b

@@ -93,6 +93,7 @@ same() {
 		same "$tmp/k" "$tmp/torus.lh"
 	done
 	same "$tmp/torus.lh" <(lhfft --energy=1 "$tmp/torus.lh")
+	same "$tmp/torus.lh" <(lhfft --low-pass=1000 "$tmp/torus.lh")
 	lhfft -K 1 "$tmp/torus.lh" -o "$tmp/k"
 	lhfft -K 1 --no-log-lambda --log-lambda --basis=dct "$tmp/torus.lh" -o "$tmp/named"
 	same "$tmp/k" "$tmp/named"

@@ -7,7 +7,7 @@
 
 enum { NU = 30, NV = 21, N = NU*NV };
 
-static const Spectrum DCT = { SPECTRUM_DCT, NU, NV }, DFT = { SPECTRUM_DFT, NU, NV };
+static const Spectrum DCT = { SPECTRUM_DCT, { NU, NV, 0.7 } }, DFT = { SPECTRUM_DFT, { NU, NV, 0.7 } };
 
 static void
 random_field(double *f, unsigned long long seed)
@@ -51,14 +51,14 @@ parseval(void **state)
 
 	(void)state;
 	for (i = 0; i < 4; i++) {
-		Spectrum s = { i%2 ? SPECTRUM_DFT : SPECTRUM_DCT, i < 2 ? NU : NV, i < 2 ? NV : NU };
+		Spectrum s = { i%2 ? SPECTRUM_DFT : SPECTRUM_DCT, { i < 2 ? NU : NV, i < 2 ? NV : NU, 1 } };
 
 		random_field(f, 2);
 		random_field(h, 3);
 		spectrum_forward(s, f, C);
 		spectrum_forward(s, h, D);
 		cols = spectrum_columns(s);
-		for (left = q = 0; q < cols*s.nv; q++)
+		for (left = q = 0; q < cols*s.g.nv; q++)
 			left += spectrum_weight(s, q%cols)*creal(C[q]*conj(D[q]));
 		for (right = sum = p = 0; p < N; p++) {
 			right += f[p]*h[p]*N;
@@ -210,6 +210,38 @@ energy_holds_the_share(void **state)
 	}
 }
 
+/* f is a sum of cosines of known wave numbers in (u,v); R between them parts them.  The
+ * nodes cover nu h x nv k, a cell more than the chart, and there they are whole waves. */
+static void
+low_pass_parts_waves(void **state)
+{
+	const double h = 1.0/(NU - 1), k = 0.7/(NV - 1), a = 3/(NU*h), b = 2/(NV*k);
+	double f[N], low[N], slow, fast;
+	size_t kept;
+	int i, dft, p;
+
+	(void)state;
+	for (i = 0; i < 4; i++) {
+		dft = i%2;
+		for (p = 0; p < N; p++) {       /* wave numbers |(a,b)| and a, halved in the dct */
+			double u = (p%NU + 0.5)*h, v = (p/NU + 0.5)*k, w = dft ? 2*M_PI : M_PI;
+
+			low[p] = 4 + cos(w*a*u);
+			f[p] = low[p] + (i < 2 ? cos(w*a*u)*cos(w*b*v) : cos(w*1.5*b*v));
+		}
+		slow = a/(dft ? 1 : 2);
+		fast = (i < 2 ? hypot(a, b) : 1.5*b)/(dft ? 1 : 2);
+		filter(dft ? DFT : DCT, FILTER_LOWPASS, 1.0001*fast, 0, f, &kept);
+		assert_true(largest(N, f, low) > 0.9);
+		filter(dft ? DFT : DCT, FILTER_LOWPASS, 0.9999*fast, 0, f, &kept);
+		assert_true(largest(N, f, low) < 1e-13);
+		filter(dft ? DFT : DCT, FILTER_LOWPASS, 1.0001*slow, 0, f, &kept);
+		assert_true(largest(N, f, low) < 1e-13);
+		filter(dft ? DFT : DCT, FILTER_LOWPASS, 0.9999*slow, 0, f, &kept);
+		assert_true(largest(N, f, low) > 0.9);
+	}
+}
+
 /* A field of lengths in metres and in millimetres keeps the same waves of its logarithm. */
 static void
 log_knows_no_unit(void **state)
@@ -315,6 +347,7 @@ main(void)
 		cmocka_unit_test(raw_bound),
 		cmocka_unit_test(keep_counts),
 		cmocka_unit_test(energy_holds_the_share),
+		cmocka_unit_test(low_pass_parts_waves),
 		cmocka_unit_test(log_knows_no_unit),
 		cmocka_unit_test(filter_projects),
 		cmocka_unit_test(bound_zero_keeps_every_bit),
