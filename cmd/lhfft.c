@@ -4,14 +4,16 @@
 
 #include "cmd.h"
 #include "scales.h"
+#include "spectable.h"
 
-enum { K_LAMBDA = 256, K_H };
+enum { K_LAMBDA = 256, K_H, SPECTABLE = CMD_UNRECORDED };
 
 static const char text[] =
 "usage: lhfft -K X[,X..] | --keep=N[,..] | --energy=SHARE[,..] | --low-pass=R[,..] [LH]\n"
 "             >lh.lhg\n"
 "reads and writes channels lambda H; all else passes through.  Several numbers give a\n"
-"stream of grids, one for each scale in the order given, from the one grid of the input.\n"
+"stream of grids, one for each scale in the order given, from the one grid of the input;\n"
+"the metadata of each say its number.\n"
 "  -K, --bound=X      drop the coefficients C with |C| <= X percent of the field's root\n"
 "                     mean square, that is with |C|/(nodes rms) 100 <= X; 0 changes\n"
 "                     nothing; X >= 0\n"
@@ -28,6 +30,10 @@ static const char text[] =
 "                     minus its mean [this]\n"
 "      --no-log-lambda  filter lambda as it is; where it then falls below its least before,\n"
 "                     it is set to that, and the number of such nodes noted\n"
+"      --spectrum=FILE  also write a table of the coefficients before filtering: m, n, wave\n"
+"                     number (as --low-pass), |C| of lambda and of H in percent (as -K);\n"
+"                     m n = 0 0 is the mean, one row stands for a conjugate pair; the input\n"
+"                     must be one grid\n"
 CMD_USAGE
 "The mean is never dropped.  In either basis sum |C|^2 = nodes sum f^2.  Cosines continue\n"
 "a field evenly across the border, exponentials periodically, with a jump there that takes\n"
@@ -49,6 +55,7 @@ static const struct option longopt[] = {
 	{ "basis",         required_argument, NULL, 'b' },
 	{ "log-lambda",    no_argument,       NULL, 'l' },
 	{ "no-log-lambda", no_argument,       NULL, 'L' },
+	{ "spectrum",      required_argument, NULL, SPECTABLE },
 	CMD_LONGOPT
 };
 
@@ -66,7 +73,8 @@ write_scales(const CmdInput *in, Lhg *g, const Scales *s)
 	g->frames = s->n;
 	for (k = 0; k < s->n; k++) {
 		g->frame = k + 1;
-		cmd_meta(g, s->option, "%.10g", s->bound[k]);
+		if (s->n > 1)
+			cmd_meta(g, s->option, "%.10g", s->bound[k]);
 		scales_apply(s, k, in, g);
 		cmd_write(g);
 		g->hist[past] = '\0';                   /* every frame has one step more than g */
@@ -79,6 +87,7 @@ write_scales(const CmdInput *in, Lhg *g, const Scales *s)
 int
 main(int argc, char *argv[])
 {
+	const char *table = NULL;
 	CmdInput in;
 	Scales s;
 	int opt;
@@ -98,14 +107,20 @@ main(int argc, char *argv[])
 		case 'b': s.basis = opt_word(optarg, "dct\0dft\0", "basis"); break;
 		case 'l': s.log = 1; break;
 		case 'L': s.log = 0; break;
+		case SPECTABLE: table = optarg; break;
 		}
 	cmd_operands(argc, argv, 0, 1);
 	scales_check(&s);
+	if (table)
+		opt_spectable(table);
 	cmd_binary_output();
 
 	cmd_open(&in, argv[optind]);
-	if (s.n > 1) {
+	if (s.n > 1 || table) {
 		cmd_read_one(&in, &g);
+		scales_need(&in, &g);
+		if (table)
+			spectable_write(table, &in, &g, &s);
 		write_scales(&in, &g, &s);
 		lhg_free(&g);
 	} else

@@ -69,9 +69,10 @@ least(size_t n, const double *f)
 
 /* lambda is a length: it must not come out of the filter negative. */
 static void
-clamp(const CmdInput *in, size_t n, double *lambda, double floor)
+clamp(const CmdInput *in, const Lhg *g, double floor)
 {
-	size_t p, count = 0;
+	double *lambda = cmd_need(in, g, "lambda", LHG_GRID);
+	size_t p, count = 0, n = (size_t)g->nu*g->nv;
 
 	for (p = 0; p < n; p++)
 		if (lambda[p] < floor) {
@@ -93,17 +94,24 @@ filter(const CmdInput *in, const Lhg *g, const char *name, SpectrumBasis basis, 
 	detail("%s: %zu of %zu coefficients of %s kept", in->name, kept, n, name);
 }
 
+double
+scales_need(const CmdInput *in, const Lhg *g)
+{
+	double floor = least((size_t)g->nu*g->nv, cmd_need(in, g, "lambda", LHG_GRID));
+
+	cmd_need(in, g, "H", LHG_GRID);
+	if (!(floor > 0))
+		die("%s: lambda is not positive everywhere", in->name);
+	return floor;
+}
+
 void
 scales_apply(const Scales *s, int k, const CmdInput *in, Lhg *g)
 {
-	double *lambda = cmd_need(in, g, "lambda", LHG_GRID), K = s->bound[k], floor;
-	size_t n = (size_t)g->nu*g->nv;
+	double floor = scales_need(in, g), K = s->bound[k];
 
-	floor = least(n, lambda);
-	if (!(floor > 0))
-		die("%s: lambda is not positive everywhere", in->name);
 	filter(in, g, "lambda", s->basis, (Filter){ s->rule, s->lambda >= 0 ? s->lambda : K, s->log });
 	filter(in, g, "H", s->basis, (Filter){ s->rule, s->H >= 0 ? s->H : K, 0 });
 	if (!s->log)
-		clamp(in, n, lambda, floor);
+		clamp(in, g, floor);
 }

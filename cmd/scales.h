@@ -26,6 +26,9 @@ void scales_set(Scales *s, FilterRule rule, const char *option, const char *list
 /* Exit 2 when the options do not say one thing; to be called once after all of them. */
 void scales_check(Scales *s);
 
+/* Dies unless g has lambda > 0 and H; gives the least lambda. */
+double scales_need(const CmdInput *in, const Lhg *g);
+
 /* Filter lambda and H of g as at scale k, or die. */
 void scales_apply(const Scales *s, int k, const CmdInput *in, Lhg *g);
 

@@ -41,7 +41,7 @@ waves_of(Spectrum s, int logarithm, const double *f, Waves *w)
 
 /* The |C| of one percent. */
 static double
-percent(Spectrum s, int logarithm, const Waves *w)
+one_percent(Spectrum s, int logarithm, const Waves *w)
 {
 	size_t n = (size_t)s.g.nu*s.g.nv, p;
 	double from = logarithm ? creal(w->C[0])/n : 0, sum = 0;
@@ -49,6 +49,23 @@ percent(Spectrum s, int logarithm, const Waves *w)
 	for (p = 0; p < n; p++)
 		sum += (w->x[p] - from)*(w->x[p] - from);
 	return n*sqrt(sum/n)/100;
+}
+
+int
+filter_percent(Spectrum s, int logarithm, const double *f, double *out)
+{
+	Waves w;
+	int e = waves_of(s, logarithm, f, &w);
+	double unit;
+	size_t q;
+
+	if (e)
+		return e;
+	unit = one_percent(s, logarithm, &w);
+	for (q = 0; q < spectrum_size(s); q++)
+		out[q] = unit > 0 ? w.a[q]/unit : 0;
+	waves_free(&w);
+	return 0;
 }
 
 typedef struct Ranked {
@@ -142,7 +159,7 @@ filter_field(Spectrum s, const Filter *by, double *f, size_t *kept)
 	if (e)
 		return e;
 	switch (by->rule) {
-	case FILTER_PERCENT: bound *= percent(s, by->log, &w); break;
+	case FILTER_PERCENT: bound *= one_percent(s, by->log, &w); break;
 	case FILTER_RAW:     break;
 	case FILTER_KEEP:
 	case FILTER_ENERGY:  e = last_of_sum(s, by->rule, w.a, &bound); break;

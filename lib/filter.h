@@ -32,4 +32,8 @@ typedef struct Filter {
  * Returns 0 or FILTER_ENOMEM. */
 int filter_field(Spectrum s, const Filter *by, double *f, size_t *kept);
 
+/* What FILTER_PERCENT compares, spectrum_size(s) numbers; 0 where rms is 0.
+ * Returns 0 or FILTER_ENOMEM. */
+int filter_percent(Spectrum s, int logarithm, const double *f, double *out);
+
 #endif

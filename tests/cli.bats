@@ -54,6 +54,9 @@ setup_file() {
 	try 2 'say one of'                          /dev/null lhfft --raw --energy=0.5
 	try 2 'low-pass=-1: need a number in \[0,'  /dev/null lhfft --low-pass=-1
 	try 2 'say one of'                          /dev/null lhfft --low-pass=1 --energy=0.5
+	try 2 'the grid goes there'                 /dev/null lhfft -K 1 --spectrum=-
+	try 2 'the grid goes there'                 /dev/null lhfft --spectrum="$tmp/x" -K 1 -o "$tmp/x"
+	try 2 'say one of'                          /dev/null lhfft --spectrum="$tmp/x"
 	try 2 'not one of its words'                /dev/null lhfft -K 1 --basis=fft
 	try 2 'need a number in \[0,1\]'            /dev/null lhinterp -t 1.5 a b
 	try 2 'say one of'                          /dev/null lhinterp a b
@@ -96,6 +99,10 @@ setup_file() {
 	try 1 'has a channel start.x, .* has none'       /dev/null lhinterp -t 0 "$tmp/nostart.lh" "$tmp/lh"
 	try 1 'holds several grids'                      /dev/null lhinterp -t 0 "$tmp/three.lh" "$tmp/lh"
 	try 1 'stdin: holds several grids, need one'     "$tmp/three.lh" lhfft -K 1,2
+	try 1 'stdin: holds several grids, need one'     "$tmp/three.lh" lhfft -K 1 --spectrum="$tmp/table"
+	try 1 'stdin: holds several grids, need one'     <(cat "$tmp/lh" "$tmp/lh") lhfft -K 1 --spectrum="$tmp/table"
+	try 1 'No such file or directory'                "$tmp/lh" lhfft -K 1 --spectrum="$tmp/nosuch/table"
+	[ ! -e "$tmp/table" ]
 	try 1 'holds several grids'                      "$tmp/three.phi" grid2mesh
 	try 1 'holds several grids'                      "$tmp/three.phi" grid2mesh -o "$tmp/one.off"
 	[ ! -e "$tmp/one.off" ]

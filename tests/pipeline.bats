@@ -137,6 +137,29 @@ same() {
 	[ -s "$tmp/scale3.off" ]
 }
 
+@test "lhfft: --spectrum is the table that -K and --low-pass choose from" {
+	local o line
+	lhfft -K 1 "$tmp/torus.lh" -o "$tmp/plain"
+	for o in --basis=dct --basis=dft --no-log-lambda; do
+		lhfft -v -K 1 $o --spectrum="$tmp/table" "$tmp/torus.lh" 2>"$tmp/err" >"$tmp/out"
+		for line in 'lambda 4' 'H 5'; do        # what is above 1 percent is what was kept
+			set -- $line
+			awk -F'\t' -v c=$2 -v dft=$([ $o = --basis=dft ] && echo 1) \
+				'NR > 1 && ($1 + $2 == 0 && $1 == 0 || $c > 1) { n += dft && $1 > 0 ? 2 : 1 } END { print n }' \
+				"$tmp/table" >"$tmp/count"
+			grep -q " $(cat "$tmp/count") of 4225 coefficients of $1 kept" "$tmp/err"
+		done
+		awk -F'\t' '!($1 ~ /^[0-9]+$/) && NR > 1 || NF != 5 { exit 1 }' "$tmp/table"
+		[ $o = --no-log-lambda ] || lhfft -v --low-pass=4 $o "$tmp/torus.lh" 2>&1 >/dev/null |
+			grep -q " $(awk -F'\t' -v dft=$([ $o = --basis=dft ] && echo 1) \
+				'NR > 1 && $3 <= 4 { n += dft && $1 > 0 ? 2 : 1 } END { print n }' "$tmp/table") of 4225 .* H"
+	done
+	lhfft -K 1 --spectrum="$tmp/table" "$tmp/torus.lh" | cmp "$tmp/plain"
+	[ "$(wc -l <"$tmp/table")" = 4226 ]
+	lhfft -K 1,2 --spectrum="$tmp/table2" "$tmp/torus.lh" >/dev/null
+	cmp "$tmp/table" "$tmp/table2"
+}
+
 @test "lhfft: lambda stays positive, by its logarithm or by a floor that is noted" {
 	positive() {
 		/usr/bin/python3 -c 'import sys; sys.path.insert(0, "scripts"); import lhg

@@ -1,0 +1,52 @@
+/* spectable.c - the option --spectrum of lhfft. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "spectable.h"
+
+void
+opt_spectable(const char *file)
+{
+	const char *out = cmd_output();
+
+	if (strcmp(file, "-") == 0 || (out && strcmp(file, out) == 0))
+		misuse("--spectrum=%s: the grid goes there", file);
+}
+
+static double *
+spectrum_of(Spectrum space, const CmdInput *in, const Lhg *g, const char *name, int logarithm)
+{
+	double *percent = cmd_alloc(spectrum_size(space), sizeof *percent);
+
+	if (filter_percent(space, logarithm, cmd_need(in, g, name, LHG_GRID), percent))
+		die("%s: no memory for the spectrum of %s", in->name, name);
+	return percent;
+}
+
+void
+spectable_write(const char *file, const CmdInput *in, const Lhg *g, const Scales *s)
+{
+	Spectrum space = { s->basis, { g->nu, g->nv, g->T } };
+	double *lambda = spectrum_of(space, in, g, "lambda", s->log), *H = spectrum_of(space, in, g, "H", 0);
+	int m, n, columns = spectrum_columns(space);
+	char *bytes = NULL;
+	size_t q, size;
+	FILE *f;
+
+	if (!(f = open_memstream(&bytes, &size)))
+		die("no memory for the table of %zu coefficients", spectrum_size(space));
+	fputs("m\tn\twave\tlambda\tH\n", f);
+	for (q = 0; q < spectrum_size(space); q++) {
+		m = q%columns;
+		n = q/columns;
+		if (s->basis == SPECTRUM_DFT && 2*n > g->nv)
+			n -= g->nv;
+		fprintf(f, "%d\t%d\t%.6g\t%.6g\t%.6g\n", m, n, spectrum_wave(space, q), lambda[q], H[q]);
+	}
+	if (fclose(f))
+		die("no memory for the table of %zu coefficients", spectrum_size(space));
+	cmd_emit(file, bytes, size);
+	free(bytes);
+	free(lambda);
+	free(H);
+}
