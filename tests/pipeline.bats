@@ -98,8 +98,8 @@ same() {
 	lhfft -K 1 --no-log-lambda --log-lambda --basis=dct "$tmp/torus.lh" -o "$tmp/named"
 	same "$tmp/k" "$tmp/named"
 	for o in --basis=dft --no-log-lambda --raw; do
-		lhfft -K 1 $o "$tmp/torus.lh" -o "$tmp/other"
-		! same "$tmp/k" "$tmp/other" || { echo "$o does nothing"; return 1; }
+		lhfft -K 1 $o "$tmp/torus.lh" -o "$tmp/not"
+		! same "$tmp/k" "$tmp/not" || { echo "$o does nothing"; return 1; }
 	done
 }
 
