@@ -11,7 +11,7 @@ static const double TENSION = 3;        /* of the plate in w^2: what took the fe
 enum { MOST_CG = 60 };
 static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a Gauss-Newton step */
 static const double FLAT = 1e-6;         /* share of E not worth another step */
-static const double CREEP = 1e-3;        /* share of E that ten steps must take */
+static const double CREEP = 1e-4;        /* share of E that ten steps must take */
 static const double WORTH = 1e-3;       /* least share of the decrease a CG step must add */
 
 typedef struct Work {
@@ -146,14 +146,14 @@ step(Work *k, double *phi, double *E)
 	return is;
 }
 
-/* Nothing of it where the scale is off by 14 %, all of it below 7 %: 0.05-3 % for surfaces,
+/* Nothing of it where the scale is off by 16 %, all of it below 8 %: 0.05-3 % for surfaces,
  * 7 % for whole hemispheres of the cortex, 8-13 % when a filter took a little from them, 20 %
  * when it took all but the coarse shape.  In eighths, so that where the steps came from
  * leaves no trace. */
 static void
 sharpen(Misfit *m, const double *phi)
 {
-	double share = round(16*(1 - misfit_scale_error(m, phi)/0.14))/8;
+	double share = round(16*(1 - misfit_scale_error(m, phi)/0.16))/8;
 
 	share = share > 1 ? 1 : share < 0 ? 0 : share;
 	m->w *= pow(SHARP_W/m->w, share);
