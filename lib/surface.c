@@ -159,6 +159,18 @@ descend(const Surface *s, const Level *l, const FitOptions *o, double *finest, F
 	return fit_level(l, NULL, &way, at);
 }
 
+/* Coarsening takes 0 times what lies inside, which must not be what is not a number. */
+static void
+clear_inside(Chart g, int rings, double *phi)
+{
+	int c, i, j;
+
+	for (c = 0; c < 3; c++)
+		for (j = rings; j < g.nv - rings; j++)
+			for (i = rings; i < g.nu - rings; i++)
+				phi[c*nodes(g) + (size_t)j*g.nu + i] = 0;
+}
+
 int
 surface(const Surface *s, const FitOptions *o, double *phi, FitProgress *at)
 {
@@ -174,6 +186,7 @@ surface(const Surface *s, const FitOptions *o, double *phi, FitProgress *at)
 			finest.lambda2[p] = s->lambda[p]*s->lambda[p];
 			finest.l2H[p] = finest.lambda2[p]*s->H[p];
 		}
+		clear_inside(s->g, s->start ? 1 : FRAME_BAND, phi);
 		r = descend(s, &finest, o, phi, at);
 	}
 	free(finest.lambda2);

@@ -84,14 +84,14 @@ sample_immersion(Immersion *f, Chart g, double s, double *phi[3], double *lambda
 		}
 }
 
-/* The largest difference of two fields. */
+/* The largest difference of two fields; NaN when there is one. */
 static inline double
 largest(size_t n, const double *a, const double *b)
 {
 	double max = 0;
 	size_t p;
 
-	for (p = 0; p < n; p++)
+	for (p = 0; p < n && !isnan(max); p++)
 		if (!(fabs(a[p] - b[p]) <= max))
 			max = fabs(a[p] - b[p]);
 	return max;

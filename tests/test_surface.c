@@ -47,7 +47,7 @@ reconstruct(const Surface *s, int rings, const FitOptions *o)
 	for (p = 0; p < 3*n; p++) {
 		i = p%n%s->g.nu;
 		j = p%n/s->g.nu;
-		found[p] = i < rings || j < rings || i >= s->g.nu - rings || j >= s->g.nv - rings ? truth[p] : 777;
+		found[p] = i < rings || j < rings || i >= s->g.nu - rings || j >= s->g.nv - rings ? truth[p] : NAN;
 	}
 	assert_int_equal(surface(s, o, found, &at), 1);
 	return largest(3*n, found, truth);
