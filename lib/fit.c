@@ -169,7 +169,7 @@ converged(const FitOptions *o, const Outcome *is, double E, double E10)
 		return 1;
 	if (is->cut)
 		return is->change < 1e-3*o->tolerance;
-	return is->change < o->tolerance || !(is->fall > FLAT*E);
+	return is->change < o->tolerance || is->fall <= FLAT*E;
 }
 
 int
