@@ -1,0 +1,55 @@
+# lh2grid.bats - the surface method at the shell.
+
+load helper
+
+setup_file() {
+	export tmp="$BATS_FILE_TMPDIR"
+	mkmesh -n 6000 face | mesh2rect -q -n 90 -o "$tmp/phi"
+	grid2lh "$tmp/phi" -o "$tmp/lh"
+}
+
+@test "grid2lh --residual: the surface itself comes back; --ideal leaves it out" {
+	grid2lh --residual "$tmp/phi" -o "$tmp/all"
+	lh2grid "$tmp/all" -o "$tmp/psi"
+	below "$(error_of "$tmp/phi" "$tmp/psi" max_rel)" 1e-7
+	lh2grid --ideal "$tmp/all" -o "$tmp/psi"
+	below 1e-5 "$(error_of "$tmp/phi" "$tmp/psi" max_rel)"
+	[ "$(lhinfo "$tmp/psi" | grep -cE '(nu|tau)[12]')" = 0 ]
+}
+
+@test "the start enters nothing: without one the same surface, to the tolerance" {
+	lh2grid "$tmp/lh" -o "$tmp/a"
+	lh2grid --no-start "$tmp/lh" -o "$tmp/b"
+	grid2lh --no-lattice "$tmp/phi" | lh2grid -o "$tmp/c"
+	grid2lh --lattice=20 "$tmp/phi" | lh2grid -o "$tmp/d"
+	for x in b c d; do
+		below "$(error_of "$tmp/a" "$tmp/$x" max_rel)" 1e-4
+	done
+}
+
+@test "the surface method is nearer than the frame method" {
+	lh2grid "$tmp/lh" -o "$tmp/a"
+	lh2grid --method=frame "$tmp/lh" -o "$tmp/b"
+	below "$(error_of "$tmp/phi" "$tmp/a" mean_rel)" "$(error_of "$tmp/phi" "$tmp/b" mean_rel)"
+}
+
+@test "every frame of a stream of scales, and bending falls from scale to scale" {
+	lhfft -K 0,0.5,1,2,5 "$tmp/lh" | lh2grid | grid2lh -o "$tmp/scales"
+	/usr/bin/python3 scripts/bending.py "$tmp/scales" >"$tmp/bending"
+	[ "$(wc -l <"$tmp/bending")" = 5 ]
+	sort -rnc "$tmp/bending"
+}
+
+@test "lh2grid says what is wrong" {
+	grid2lh "$tmp/phi" | lhfft -K 2 -o "$tmp/two"
+	try 1 'no convergence in 1 steps: energy [0-9.e+]*, change .*, the largest residual at node \([0-9]+,[0-9]+\)' \
+	    "$tmp/two" lh2grid --steps=1
+	try 2 'method'    "$tmp/lh" lh2grid --method=magic
+	try 2 'tolerance' "$tmp/lh" lh2grid --tolerance=0
+	try 2 'steps'     "$tmp/lh" lh2grid --steps=0
+}
+
+@test "lh2grid -v says the cost" {
+	run lh2grid -v "$tmp/lh" -o "$tmp/a"
+	[[ $output =~ 'vector Poisson solves of 91 x 91 nodes' ]]
+}
