@@ -1,7 +1,6 @@
 /* lh2grid - the surface that fits a conformal factor and a mean curvature best */
 #include <math.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include "../lib/frame.h"
 #include "cmd.h"

@@ -23,18 +23,6 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
-/* The one grid of a stream. */
-static void
-read_one(CmdInput *in, const char *path, Lhg *g)
-{
-	Lhg more;
-
-	cmd_open(in, path);
-	cmd_read(in, g);
-	if (g->frames > 1 || cmd_read(in, &more))
-		die("%s: holds several grids, need one", in->name);
-}
-
 static void
 check_match(const CmdInput *A, const Lhg *a, const CmdInput *B, const Lhg *b)
 {
@@ -95,8 +83,10 @@ main(int argc, char *argv[])
 	cmd_operands(argc, argv, 2, 2);
 	cmd_binary_output();
 
-	read_one(&A, argv[optind], &a);
-	read_one(&B, argv[optind + 1], &b);
+	cmd_open(&A, argv[optind]);
+	cmd_read_one(&A, &a);
+	cmd_open(&B, argv[optind + 1]);
+	cmd_read_one(&B, &b);
 	check_match(&A, &a, &B, &b);
 	for (i = 1; i <= (frames ? frames : 1); i++) {
 		between(&a, &b, frames ? (i - 1)/(frames - 1.0) : t, &g);

@@ -105,7 +105,7 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi)
 	case 1: break;
 	case 0: die("%s: no convergence in %d steps: energy %.4g, change %.2g, the largest residual at node (%d,%d)",
 	    in->name, at.step, at.energy, at.change, (int)(at.worst%g->nu), (int)(at.worst/g->nu));
-	case SURFACE_ESTART: die("%s: no start: the band has no tangent plane somewhere", in->name);
+	case SURFACE_ESTART: die("%s: no start, and the frame method finds none from the band", in->name);
 	default: die("%s: no memory for the surface of %d x %d nodes", in->name, g->nu, g->nv);
 	}
 	detail("%s: %.1f vector Poisson solves of %d x %d nodes, %.2f s", in->name, at.cost, g->nu, g->nv,

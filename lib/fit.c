@@ -10,8 +10,8 @@ static const double BLUNT_W = 30, BLUNT_ALPHA = 1, SHARP_W = 100, SHARP_ALPHA = 
 static const double TENSION = 3;        /* of the plate in w^2: what took the fewest steps */
 enum { MOST_CG = 60 };
 static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a Gauss-Newton step */
-static const double FLAT = 1e-6;         /* share of E not worth another step */
-static const double CREEP = 1e-4;        /* share of E that ten steps must take */
+static const double FLAT = 1e-6;        /* share of E not worth another step */
+static const double CREEP = 1e-4;       /* share of E that ten steps must take */
 static const double WORTH = 1e-3;       /* least share of the decrease a CG step must add */
 
 typedef struct Work {
@@ -75,14 +75,14 @@ static double
 conjugate_gradients(Work *k, const double *phi, double *length)
 {
 	double rz, stop, dd = 0, dp = 0, pp, fall = 0, old, t;
-	int steps, out = 0;
+	int steps, out;
 
 	memset(k->d, 0, k->n*sizeof *k->d);
 	precondition(k);
 	memcpy(k->p, k->z, k->n*sizeof *k->p);
 	pp = rz = field_dot(k->n, k->r, k->z);
 	stop = REDUCTION*REDUCTION*rz;
-	for (steps = 0; rz > stop && steps < MOST_CG && !out; steps++) {
+	for (steps = 0; rz > stop && steps < MOST_CG; steps++) {
 		misfit_normal(k->m, phi, k->p, k->q);
 		t = rz/field_dot(k->n, k->p, k->q);
 		out = !(dd + 2*t*dp + t*t*pp < k->radius*k->radius);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "field.h"
 #include "gridlaplace.h"
 #include "planelaplace.h"
 #include "vec3.h"
@@ -181,27 +182,6 @@ gridlaplace_apply(const GridLaplace *l, const double *x, double *y)
 
 /* ---- conjugate gradients --------------------------------------------- */
 
-static double
-dot(size_t n, const double *a, const double *b)
-{
-	double sum = 0;
-	size_t p;
-
-	for (p = 0; p < n; p++)
-		sum += a[p]*b[p];
-	return sum;
-}
-
-/* y += a x */
-static void
-add(size_t n, double a, const double *x, double *y)
-{
-	size_t p;
-
-	for (p = 0; p < n; p++)
-		y[p] += a*x[p];
-}
-
 /* f holds its boundary values; work is four fields. */
 static void
 conjugate_gradients(const GridLaplace *l, const PlaneLaplace *plane, double *f, double *work)
@@ -215,18 +195,17 @@ conjugate_gradients(const GridLaplace *l, const PlaneLaplace *plane, double *f, 
 		r[q] = -r[q];
 	planelaplace_solve(plane, r, z);      /* 0 at held nodes, so d never moves them */
 	memcpy(d, z, n*sizeof *d);
-	rz = dot(n, r, z);
+	rz = field_dot(n, r, z);
 	stop = REDUCTION*REDUCTION*rz;
 	for (steps = 0; rz > stop && steps < MOST_STEPS; steps++) {
 		gridlaplace_apply(l, d, Kd);
-		a = rz/dot(n, d, Kd);
-		add(n, a, d, f);
-		add(n, -a, Kd, r);
+		a = rz/field_dot(n, d, Kd);
+		field_add(n, a, d, f);
+		field_add(n, -a, Kd, r);
 		planelaplace_solve(plane, r, z);
 		old = rz;
-		rz = dot(n, r, z);
-		for (q = 0; q < n; q++)
-			d[q] = z[q] + rz/old*d[q];
+		rz = field_dot(n, r, z);
+		field_turn(n, z, rz/old, d);
 	}
 }
 
@@ -243,7 +222,7 @@ gridlaplace_harmonic(const GridLaplace *l, int axis, double *f, double *energy)
 			f[p] = axis == 0 ? p%l->g.nu/(l->g.nu - 1.0) : p/l->g.nu/(l->g.nv - 1.0);
 		conjugate_gradients(l, &plane, f, work);
 		gridlaplace_apply(l, f, work);
-		*energy = dot(n, f, work);
+		*energy = field_dot(n, f, work);
 		planelaplace_free(&plane);
 	}
 	free(work);
