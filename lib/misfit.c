@@ -114,46 +114,61 @@ total(const Misfit *m, const double *row)
 	return sum;
 }
 
-/* A node's share of E. */
-static double
-energy_of(const Misfit *m, const double *phi, size_t p)
+/* What so many neighbours share of E. */
+static void
+energy_of(const Misfit *m, const double *phi, size_t p, int count, Nodes *e)
 {
-	double r[MISFIT_PARTS], sum = 0;
+	Nodes r[MISFIT_PARTS], w[MISFIT_PARTS];
 	Local a;
 	int c;
 
-	local(m, phi, p, &a);
-	residuals(m, &a, p, r);
-	for (c = 0; c < MISFIT_PARTS; c++)
-		sum += r[c]*r[c];
-	return sum;
+	local(m, phi, p, count, &a);
+	residuals(m, &a, p, count, r);
+	weights(m, p, count, w);
+	*e = w[0]*r[0]*r[0];
+	for (c = 1; c < MISFIT_PARTS; c++)
+		*e += w[c]*r[c]*r[c];
+}
+
+static int
+few(const Misfit *m, int i)
+{
+	return m->g.nu - 1 - i < NODES ? m->g.nu - 1 - i : NODES;
 }
 
 double
 misfit_energy(const Misfit *m, const double *phi)
 {
-	int i, j;
+	int i, j, k;
 
-#pragma omp parallel for schedule(static) private(i)
+#pragma omp parallel for schedule(static) private(i, k)
 	for (j = 1; j < m->g.nv - 1; j++)
-		for (m->row[j] = 0, i = 1; i < m->g.nu - 1; i++)
-			m->row[j] += energy_of(m, phi, (size_t)j*m->g.nu + i);
+		for (m->row[j] = 0, i = 1; i < m->g.nu - 1; i += NODES) {
+			Nodes e;
+
+			energy_of(m, phi, (size_t)j*m->g.nu + i, few(m, i), &e);
+			for (k = 0; k < few(m, i); k++)
+				m->row[j] += e[k];
+		}
 	return total(m, m->row);
 }
 
 size_t
 misfit_worst(const Misfit *m, const double *phi)
 {
-	size_t p, n = (size_t)m->g.nu*(m->g.nv - 1), at = m->g.nu + 1;
-	double e, most = -1;
+	size_t at = m->g.nu + 1;
+	double most = -1;
+	int i, j, k;
+	Nodes e;
 
-	for (p = at; p < n; p++)
-		if (p%m->g.nu != 0 && p%m->g.nu != (size_t)m->g.nu - 1) {
-			e = energy_of(m, phi, p);
-			if (!(e <= most)) {
-				most = e;
-				at = p;
-			}
+	for (j = 1; j < m->g.nv - 1; j++)
+		for (i = 1; i < m->g.nu - 1; i += NODES) {
+			energy_of(m, phi, (size_t)j*m->g.nu + i, few(m, i), &e);
+			for (k = 0; k < few(m, i); k++)
+				if (!(e[k] <= most)) {
+					most = e[k];
+					at = (size_t)j*m->g.nu + i + k;
+				}
 		}
 	return at;
 }
@@ -161,20 +176,23 @@ misfit_worst(const Misfit *m, const double *phi)
 double
 misfit_scale_error(const Misfit *m, const double *phi)
 {
-	double *weight = m->row + m->g.nv, x, o2;
-	int i, j;
+	double *weight = m->row + m->g.nv, o2, x;
+	int i, j, k;
 
-#pragma omp parallel for schedule(static) private(i, x, o2)
+#pragma omp parallel for schedule(static) private(i, k, o2, x)
 	for (j = 1; j < m->g.nv - 1; j++)
-		for (m->row[j] = weight[j] = 0, i = 1; i < m->g.nu - 1; i++) {
+		for (m->row[j] = weight[j] = 0, i = 1; i < m->g.nu - 1; i += NODES) {
 			size_t p = (size_t)j*m->g.nu + i;
+			Nodes r[MISFIT_PARTS];
 			Local a;
 
-			local(m, phi, p, &a);
-			x = (dot3(a.u, a.u) + dot3(a.v, a.v))/2 - m->lambda2[p];
-			o2 = m->o[p]*m->o[p];
-			m->row[j] += o2*x*x/m->lambda2[p];
-			weight[j] += o2*m->lambda2[p];
+			local(m, phi, p, few(m, i), &a);
+			residuals(m, &a, p, few(m, i), r);
+			for (k = 0; k < few(m, i); k++) {
+				o2 = m->o[p+k]*m->o[p+k];
+				m->row[j] += o2*r[3][k]*r[3][k]/m->lambda2[p+k];
+				weight[j] += o2*m->lambda2[p+k];
+			}
 		}
 	x = total(m, weight);
 	return x > 0 ? sqrt(total(m, m->row)/x) : 0;

@@ -9,29 +9,52 @@
 #include "misfit.h"
 #include "misfitnode.h"
 
-/* What row j wants, nine rows f, to get nearer to J d; without d, to the residuals. */
+/* What inner row j wants, nine rows f, to get nearer to J d; without d, to the residuals. */
+INLINE void
+wants(const Misfit *m, const double *phi, const double *d, int j, double *f)
+{
+	Nodes r[MISFIT_PARTS], w[MISFIT_PARTS], e[9];
+	int i, c, count, nu = m->g.nu;
+	size_t p = (size_t)j*nu;
+	Local a;
+
+	for (i = 1; i < nu - 1; i += count) {
+		count = nu - 1 - i < NODES ? nu - 1 - i : NODES;
+		local(m, phi, p + i, count, &a);
+		if (d)
+			change(m, &a, d, p + i, count, r);
+		else
+			residuals(m, &a, p + i, count, r);
+		weights(m, p + i, count, w);
+		for (c = 0; c < MISFIT_PARTS; c++)
+			r[c] *= w[c];
+		spread(&a, r, e);
+		for (c = 0; c < 9; c++)
+			memcpy(f + (size_t)c*nu + i, &e[c], count*sizeof *f);
+	}
+}
+
+TARGET("avx2") static void
+wants_256(const Misfit *m, const double *phi, const double *d, int j, double *f)
+{
+	wants(m, phi, d, j, f);
+}
+
 static void
 spread_row(const Misfit *m, const double *phi, const double *d, int j, double *f)
 {
-	double r[MISFIT_PARTS], e[9];
-	int i, c, nu = m->g.nu;
-	Local a;
+	int c, nu = m->g.nu;
 
-	memset(f, 0, 9*(size_t)nu*sizeof *f);
-	if (j == 0 || j == m->g.nv - 1)
+	if (j == 0 || j == m->g.nv - 1) {
+		memset(f, 0, 9*(size_t)nu*sizeof *f);
 		return;
-	for (i = 1; i < nu - 1; i++) {
-		size_t p = (size_t)j*nu + i;
-
-		local(m, phi, p, &a);
-		if (d)
-			change(m, &a, d, p, r);
-		else
-			residuals(m, &a, p, r);
-		spread(m, &a, p, r, e);
-		for (c = 0; c < 9; c++)
-			f[c*nu+i] = e[c];
 	}
+	for (c = 0; c < 9; c++)
+		f[(size_t)c*nu] = f[(size_t)(c + 1)*nu - 1] = 0;
+	if (HAS("avx2"))
+		wants_256(m, phi, d, j, f);
+	else
+		wants(m, phi, d, j, f);
 }
 
 /* The transposes of the differences: row j of g from what rows j-1, j, j+1 want. */

@@ -1,12 +1,22 @@
-/* misfitnode.h - the residuals of one node and their derivatives.  Private to misfit. */
+/* misfitnode.h - the residuals of a node and their derivatives.  Private to misfit.
+ *
+ * Four neighbours of a row at a time, in vectors that the compiler takes apart where the
+ * processor has shorter ones; every node's numbers are the same either way. */
 #ifndef MISFITNODE_H
 #define MISFITNODE_H
 
+#include <math.h>
+#include <string.h>
+
+#include "cpu.h"
 #include "misfit.h"
-#include "vec3.h"
 
 enum { MISFIT_PARTS = 6 };      /* residuals of a node: normal, along phi_u and phi_v, scale,
                                  * the two of shape */
+enum { NODES = 4 };
+typedef double Nodes __attribute__((vector_size(NODES*sizeof(double))));
+
+#define DOT(a, b) ((a)[0]*(b)[0] + (a)[1]*(b)[1] + (a)[2]*(b)[2])
 
 /* Strips of 32 rows, the last ones of fewer: what a thread takes at a time. */
 static inline int
@@ -17,107 +27,145 @@ misfit_strips(Chart g)
 
 /* What the differences of the surface are at a node. */
 typedef struct Local {
-	double u[3], v[3];      /* phi_u, phi_v */
-	double L[3];            /* Delta phi */
-	double n[3], area;      /* normal, phi_u x phi_v over the area of the node */
+	Nodes u[3], v[3];       /* phi_u, phi_v */
+	Nodes L[3];             /* Delta phi */
+	Nodes n[3], area;       /* normal, phi_u x phi_v over the area of the node */
 } Local;
 
-/* Weights of the six residuals of a node. */
-typedef struct Weights {
-	double normal, along, scale, shape;
-} Weights;
+INLINE void
+cross_nodes(const Nodes a[3], const Nodes b[3], Nodes c[3])
+{
+	c[0] = a[1]*b[2] - a[2]*b[1];
+	c[1] = a[2]*b[0] - a[0]*b[2];
+	c[2] = a[0]*b[1] - a[1]*b[0];
+}
 
-static inline void
-differences(Chart g, const double *f, size_t p, double u[3], double v[3], double L[3])
+/* f[0], f[1], .. of count <= NODES nodes; more where there are fewer are the first again. */
+INLINE void
+load(const double *f, int count, Nodes *x)
+{
+	double few[NODES];
+	int k;
+
+	if (count < NODES) {
+		for (k = 0; k < NODES; k++)
+			few[k] = f[k < count ? k : 0];
+		f = few;
+	}
+	memcpy(x, f, sizeof *x);
+}
+
+INLINE void
+differences(Chart g, const double *f, size_t p, int count, Nodes u[3], Nodes v[3], Nodes L[3])
 {
 	size_t n = (size_t)g.nu*g.nv, up = g.nu;
 	double h = g.nu - 1, k = (g.nv - 1)/g.T;        /* their inverses */
+	Nodes here, east, west, north, south;
 	int c;
 
 	for (c = 0; c < 3; c++, f += n) {
-		u[c] = (f[p+1] - f[p-1])*(h/2);
-		v[c] = (f[p+up] - f[p-up])*(k/2);
-		L[c] = (f[p+1] - 2*f[p] + f[p-1])*(h*h) + (f[p+up] - 2*f[p] + f[p-up])*(k*k);
+		load(f + p, count, &here);
+		load(f + p + 1, count, &east);
+		load(f + p - 1, count, &west);
+		load(f + p + up, count, &north);
+		load(f + p - up, count, &south);
+		u[c] = (east - west)*(h/2);
+		v[c] = (north - south)*(k/2);
+		L[c] = (east - 2*here + west)*(h*h) + (north - 2*here + south)*(k*k);
 	}
 }
 
-static inline void
-local(const Misfit *m, const double *phi, size_t p, Local *a)
+INLINE void
+local(const Misfit *m, const double *phi, size_t p, int count, Local *a)
 {
+	Nodes l2;
 	int c;
 
-	differences(m->g, phi, p, a->u, a->v, a->L);
-	cross3(a->u, a->v, a->n);
-	a->area = sqrt(dot3(a->n, a->n) + m->blur*m->lambda2[p]*m->lambda2[p]) + 1e-300;
+	differences(m->g, phi, p, count, a->u, a->v, a->L);
+	cross_nodes(a->u, a->v, a->n);
+	load(m->lambda2 + p, count, &l2);
+	a->area = DOT(a->n, a->n) + m->blur*l2*l2;
+	for (c = 0; c < NODES; c++)
+		a->area[c] = sqrt(a->area[c]) + 1e-300;
 	for (c = 0; c < 3; c++)
 		a->n[c] /= a->area;
 }
 
-static inline Weights
-weights(const Misfit *m, size_t p)
+/* By which the squares of the residuals are multiplied. */
+INLINE void
+weights(const Misfit *m, size_t p, int count, Nodes w[MISFIT_PARTS])
 {
-	double root = sqrt(m->scale), metric = root/sqrt(m->lambda2[p]), o = m->o[p];
+	Nodes o, l2, metric;
 
-	return (Weights){ o*root, m->alpha*o*metric, m->w*sqrt(o)*metric, m->w*o*metric };
+	load(m->o + p, count, &o);
+	load(m->lambda2 + p, count, &l2);
+	metric = m->scale/l2*o;
+	w[0] = m->scale*o*o;
+	w[1] = w[2] = m->alpha*m->alpha*metric*o;
+	w[3] = m->w*m->w*metric;
+	w[4] = w[5] = w[3]*o;
 }
 
-static inline void
-residuals(const Misfit *m, const Local *a, size_t p, double r[MISFIT_PARTS])
+INLINE void
+residuals(const Misfit *m, const Local *a, size_t p, int count, Nodes r[MISFIT_PARTS])
 {
-	double E = dot3(a->u, a->u), F = dot3(a->u, a->v), G = dot3(a->v, a->v);
-	const Residue *e = m->residue;
-	double l2 = m->lambda2[p];
-	Weights w = weights(m, p);
+	Nodes E = DOT(a->u, a->u), F = DOT(a->u, a->v), G = DOT(a->v, a->v), l2, l2H2, e;
+	int i;
 
-	r[0] = w.normal*(dot3(a->L, a->n) - m->l2H2[p]);
-	r[1] = w.along*(dot3(a->L, a->u) - (e ? e->tau[0][p]*l2 : 0));
-	r[2] = w.along*(dot3(a->L, a->v) - (e ? e->tau[1][p]*l2 : 0));
-	r[3] = w.scale*((E + G)/2 - l2);
-	r[4] = w.shape*((E - G)/2 - (e ? e->nu[0][p]*l2 : 0));
-	r[5] = w.shape*(F - (e ? e->nu[1][p]*l2 : 0));
+	load(m->lambda2 + p, count, &l2);
+	load(m->l2H2 + p, count, &l2H2);
+	r[0] = DOT(a->L, a->n) - l2H2;
+	r[1] = DOT(a->L, a->u);
+	r[2] = DOT(a->L, a->v);
+	r[3] = (E + G)/2 - l2;
+	r[4] = (E - G)/2;
+	r[5] = F;
+	for (i = 0; m->residue && i < 2; i++) {
+		load(m->residue->tau[i] + p, count, &e);
+		r[1+i] -= e*l2;
+		load(m->residue->nu[i] + p, count, &e);
+		r[4+i] -= e*l2;
+	}
 }
 
 /* dr for a displacement d.  With c = phi_u x phi_v:  dn = (dc - <dc, n> n)/|c|. */
-static inline void
-change(const Misfit *m, const Local *a, const double *d, size_t p, double r[MISFIT_PARTS])
+INLINE void
+change(const Misfit *m, const Local *a, const double *d, size_t p, int count, Nodes r[MISFIT_PARTS])
 {
-	double du[3], dv[3], dL[3], x[3], y[3], across[3], along = dot3(a->L, a->n);
-	Weights w = weights(m, p);
+	Nodes du[3], dv[3], dL[3], x[3], y[3], across[3], along = DOT(a->L, a->n);
 	int c;
 
-	differences(m->g, d, p, du, dv, dL);
-	cross3(du, a->v, x);
-	cross3(a->u, dv, y);
+	differences(m->g, d, p, count, du, dv, dL);
+	cross_nodes(du, a->v, x);
+	cross_nodes(a->u, dv, y);
 	for (c = 0; c < 3; c++) {
 		x[c] += y[c];
 		across[c] = a->L[c] - along*a->n[c];
 	}
-	r[0] = w.normal*(dot3(dL, a->n) + dot3(across, x)/a->area);
-	r[1] = w.along*(dot3(dL, a->u) + dot3(a->L, du));
-	r[2] = w.along*(dot3(dL, a->v) + dot3(a->L, dv));
-	r[3] = w.scale*(dot3(a->u, du) + dot3(a->v, dv));
-	r[4] = w.shape*(dot3(a->u, du) - dot3(a->v, dv));
-	r[5] = w.shape*(dot3(a->v, du) + dot3(a->u, dv));
+	r[0] = DOT(dL, a->n) + DOT(across, x)/a->area;
+	r[1] = DOT(dL, a->u) + DOT(a->L, du);
+	r[2] = DOT(dL, a->v) + DOT(a->L, dv);
+	r[3] = DOT(a->u, du) + DOT(a->v, dv);
+	r[4] = DOT(a->u, du) - DOT(a->v, dv);
+	r[5] = DOT(a->v, du) + DOT(a->u, dv);
 }
 
 /* The adjoint of change: what <r, dr> says of du, dv and dL, three numbers each. */
-static inline void
-spread(const Misfit *m, const Local *a, size_t p, const double r[MISFIT_PARTS], double f[9])
+INLINE void
+spread(const Local *a, const Nodes r[MISFIT_PARTS], Nodes f[9])
 {
-	Weights w = weights(m, p);
-	double normal = w.normal*r[0], t1 = w.along*r[1], t2 = w.along*r[2];
-	double uu = w.scale*r[3] + w.shape*r[4], vv = w.scale*r[3] - w.shape*r[4], uv = w.shape*r[5];
-	double x[3], y[3], across[3], along = dot3(a->L, a->n);
+	Nodes uu = r[3] + r[4], vv = r[3] - r[4];
+	Nodes x[3], y[3], across[3], along = DOT(a->L, a->n), normal = r[0]/a->area;
 	int c;
 
 	for (c = 0; c < 3; c++)
-		across[c] = (a->L[c] - along*a->n[c])*(normal/a->area);
-	cross3(a->v, across, x);
-	cross3(across, a->u, y);
+		across[c] = (a->L[c] - along*a->n[c])*normal;
+	cross_nodes(a->v, across, x);
+	cross_nodes(across, a->u, y);
 	for (c = 0; c < 3; c++) {
-		f[c] = uu*a->u[c] + uv*a->v[c] + t1*a->L[c] + x[c];
-		f[3+c] = vv*a->v[c] + uv*a->u[c] + t2*a->L[c] + y[c];
-		f[6+c] = normal*a->n[c] + t1*a->u[c] + t2*a->v[c];
+		f[c] = uu*a->u[c] + r[5]*a->v[c] + r[1]*a->L[c] + x[c];
+		f[3+c] = vv*a->v[c] + r[5]*a->u[c] + r[2]*a->L[c] + y[c];
+		f[6+c] = r[0]*a->n[c] + r[1]*a->u[c] + r[2]*a->v[c];
 	}
 }
 
