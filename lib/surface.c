@@ -53,18 +53,18 @@ level_free(Level *l)
 	free(l->phi);
 }
 
-/* Inner nodes of phi from another grid; its border stays. */
+/* Inner nodes of phi from another grid, times a factor; its border stays. */
 static int
-fill_inside(Chart from, const double end[2], const double *f, Chart g, double *phi)
+fill_inside(Chart from, const double end[2], const double *f, double factor, Chart g, double *phi)
 {
 	double *t = malloc(nodes(g)*sizeof *t);
-	int c, j, e = t ? 0 : SURFACE_ENOMEM;
+	int c, i, j, e = t ? 0 : SURFACE_ENOMEM;
 
 	for (c = 0; !e && c < 3; c++) {
 		e = resample_cubic(from, end, f + c*nodes(from), g, t);
 		for (j = 1; !e && j < g.nv - 1; j++)
-			memcpy(phi + c*nodes(g) + (size_t)j*g.nu + 1, t + (size_t)j*g.nu + 1,
-			    (g.nu - 2)*sizeof *t);
+			for (i = 1; i < g.nu - 1; i++)
+				phi[c*nodes(g) + (size_t)j*g.nu + i] = t[(size_t)j*g.nu + i]*factor;
 	}
 	free(t);
 	return e;
@@ -132,7 +132,8 @@ start_from_frame(const Surface *s, const Level *l, double *finest)
 
 /* Finds phi of level l, whose border is given, from that of the level below it. */
 static int
-descend(const Surface *s, const Level *l, const FitOptions *o, double *finest, FitProgress *at)
+descend(const Surface *s, double unit, const Level *l, const FitOptions *o, double *finest,
+	FitProgress *at)
 {
 	FitOptions way = *o;
 	Level below = { .phi = NULL };
@@ -141,12 +142,12 @@ descend(const Surface *s, const Level *l, const FitOptions *o, double *finest, F
 	if (has_coarser(l->g)) {
 		r = coarsen(l, &below);
 		if (!r)
-			r = descend(s, &below, o, finest, at);
+			r = descend(s, unit, &below, o, finest, at);
 		if (r >= 0)
-			r = fill_inside(below.g, WHOLE, below.phi, l->g, l->phi);
+			r = fill_inside(below.g, WHOLE, below.phi, 1, l->g, l->phi);
 		level_free(&below);
 	} else if (s->start)
-		r = fill_inside(s->start_chart, s->start_end, s->start, l->g, l->phi);
+		r = fill_inside(s->start_chart, s->start_end, s->start, 1/unit, l->g, l->phi);
 	else
 		r = start_from_frame(s, l, finest);
 	if (r < 0)
@@ -171,11 +172,33 @@ clear_inside(Chart g, int rings, double *phi)
 				phi[c*nodes(g) + (size_t)j*g.nu + i] = 0;
 }
 
+/* The power of two below the mean of lambda: in this unit squares and products are finite. */
+static double
+unit_of(size_t n, const double *lambda)
+{
+	double mean = 0;
+	size_t p;
+
+	for (p = 0; p < n; p++)
+		mean += lambda[p]/n;
+	return ldexp(1, ilogb(fmax(mean, 1e-300)));
+}
+
+static void
+scale(size_t n, double factor, double *phi)
+{
+	size_t p;
+
+	for (p = 0; p < n; p++)
+		phi[p] *= factor;
+}
+
 int
 surface(const Surface *s, const FitOptions *o, double *phi, FitProgress *at)
 {
 	size_t n = nodes(s->g), p;
 	Level finest = { s->g, malloc(n*sizeof(double)), malloc(n*sizeof(double)), phi };
+	double unit = unit_of(n, s->lambda);
 	int r = SURFACE_ENOMEM;
 
 	*at = (FitProgress){ .nu = s->g.nu, .nv = s->g.nv };
@@ -183,11 +206,13 @@ surface(const Surface *s, const FitOptions *o, double *phi, FitProgress *at)
 		r = 1;
 	else if (finest.lambda2 && finest.l2H) {
 		for (p = 0; p < n; p++) {
-			finest.lambda2[p] = s->lambda[p]*s->lambda[p];
-			finest.l2H[p] = finest.lambda2[p]*s->H[p];
+			finest.lambda2[p] = s->lambda[p]/unit*(s->lambda[p]/unit);
+			finest.l2H[p] = finest.lambda2[p]*(s->H[p]*unit);
 		}
 		clear_inside(s->g, s->start ? 1 : FRAME_BAND, phi);
-		r = descend(s, &finest, o, phi, at);
+		scale(3*n, 1/unit, phi);
+		r = descend(s, unit, &finest, o, phi, at);
+		scale(3*n, unit, phi);
 	}
 	free(finest.lambda2);
 	free(finest.l2H);

@@ -117,6 +117,36 @@ start_enters_nothing(void **state)
 	assert_true(largest(n, kept, found) < 1e-7);
 }
 
+/* The unit of length, if it is a power of two, changes no bit. */
+static void
+unit_of_length_changes_nothing(void **state)
+{
+	static const int power[] = { 3, 900, -900 };
+	size_t n = (size_t)COARSE.nu*COARSE.nv, p;
+	Surface s = given(torus, COARSE);
+	int k;
+
+	(void)state;
+	reconstruct(&s, 1, &EXACT);
+	memcpy(kept, found, 3*n*sizeof *found);
+	for (k = 0; k < 3; k++) {
+		double unit = ldexp(1, power[k]);
+
+		s = given(torus, COARSE);
+		for (p = 0; p < 3*n; p++)
+			truth[p] *= unit;
+		for (p = 0; p < n; p++) {
+			lambda[p] *= unit;
+			H[p] /= unit;
+		}
+		for (p = 0; p < 3*12*10; p++)
+			start[p] *= unit;
+		reconstruct(&s, 1, &EXACT);
+		for (p = 0; p < 3*n; p++)
+			assert_true(found[p] == kept[p]*unit);
+	}
+}
+
 static void
 threads_change_no_bit(void **state)
 {
@@ -177,6 +207,7 @@ main(void)
 		cmocka_unit_test(error_is_of_second_order),
 		cmocka_unit_test(residue_gives_the_surface_itself),
 		cmocka_unit_test(start_enters_nothing),
+		cmocka_unit_test(unit_of_length_changes_nothing),
 		cmocka_unit_test(threads_change_no_bit),
 		cmocka_unit_test(small_grids_are_no_trouble),
 		cmocka_unit_test(steps_that_do_not_suffice_are_told),
