@@ -8,7 +8,7 @@
 
 static const double BLUNT_W = 30, BLUNT_ALPHA = 1, SHARP_W = 100, SHARP_ALPHA = 0.1;
 static const double TENSION = 3;        /* of the plate in w^2: what took the fewest steps */
-enum { MOST_CG = 60 };
+enum { MOST_CG = 60, TEN = 10 };
 static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a Gauss-Newton step */
 static const double FLAT = 1e-6;        /* share of E not worth another step */
 static const double CREEP = 1e-4;       /* share of E that ten steps must take */
@@ -160,23 +160,31 @@ sharpen(Misfit *m, const double *phi)
 	m->alpha *= pow(SHARP_ALPHA/m->alpha, share);
 }
 
-/* A step that the trust region cut short shows nothing, unless it is down to nothing or the
- * last ten together took hardly anything off E: what belongs to no surface can creep. */
+/* Where the last ten steps began. */
+typedef struct Past {
+	double E[TEN], way[TEN];        /* the changes of all steps before, summed */
+	int    steps;
+} Past;
+
+/* A step that the trust region cut short shows nothing, unless the last ten together took
+ * hardly anything off E or went nowhere: what belongs to no surface can creep. */
 static int
-converged(const FitOptions *o, const Outcome *is, double E, double E10)
+converged(const FitOptions *o, const Outcome *is, double E, double way, const Past *past)
 {
-	if (E10 - E < CREEP*E10)
+	int then = past->steps%TEN;
+
+	if (past->steps >= TEN
+	    && (past->E[then] - E < CREEP*past->E[then] || way - past->way[then] < o->tolerance))
 		return 1;
-	if (is->cut)
-		return is->change < 1e-3*o->tolerance;
-	return is->change < o->tolerance || is->fall <= FLAT*E;
+	return !is->cut && (is->change < o->tolerance || is->fall <= FLAT*E);
 }
 
 int
 fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 {
-	int sharp = !o->sharpen, done = 0, i;
-	double E, before, E10, past[10];     /* E, before the last step, before the last ten */
+	int sharp = !o->sharpen, done = 0;
+	double E, before, way = 0;
+	Past past = { .steps = 0 };
 	Outcome is;
 	Work k;
 
@@ -187,23 +195,22 @@ fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 	at->nu = m->g.nu, at->nv = m->g.nv, at->step = 0;
 	E = misfit_energy(m, phi);
 	while (!done && at->step < o->most) {
-		before = E;
-		E10 = at->step >= 10 ? past[at->step%10] : HUGE_VAL;
-		past[at->step%10] = E;
+		past.E[past.steps%TEN] = before = E;
+		past.way[past.steps++%TEN] = way;
 		is = step(&k, phi, &E);
+		way += is.change;
 		at->step++;
 		at->energy = E;
 		at->change = is.change;
 		at->solves = k.solves;
 		if (o->report)
 			o->report(o->ctx, at);
-		done = converged(o, &is, E, E10);
+		done = converged(o, &is, E, way, &past);
 		if (!sharp && is.taken && (done || E > before/2)) {
 			sharpen(m, phi);
 			E = misfit_energy(m, phi);
 			k.radius = HUGE_VAL;
-			for (i = 0; i < 10; i++)
-				past[i] = HUGE_VAL;
+			past.steps = 0;
 			sharp = 1;
 			done = 0;
 		}

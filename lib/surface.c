@@ -130,6 +130,13 @@ start_from_frame(const Surface *s, const Level *l, double *finest)
 	return e == SPD_ENOMEM ? SURFACE_ENOMEM : e ? SURFACE_ESTART : 0;
 }
 
+/* Whether the start has as many nodes as g. */
+static int
+resolves(const Surface *s, Chart g)
+{
+	return s->start && s->start_chart.nu >= g.nu && s->start_chart.nv >= g.nv;
+}
+
 /* Finds phi of level l, whose border is given, from that of the level below it. */
 static int
 descend(const Surface *s, double unit, const Level *l, const FitOptions *o, double *finest,
@@ -139,7 +146,7 @@ descend(const Surface *s, double unit, const Level *l, const FitOptions *o, doub
 	Level below = { .phi = NULL };
 	int r;
 
-	if (has_coarser(l->g)) {
+	if (has_coarser(l->g) && !resolves(s, l->g)) {
 		r = coarsen(l, &below);
 		if (!r)
 			r = descend(s, unit, &below, o, finest, at);

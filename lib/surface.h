@@ -1,9 +1,10 @@
 /* surface.h - the surface that fits a conformal factor and a mean curvature best.
  *
  * Minimises the misfit (misfit.h) over all positions with the boundary curve held, from
- * coarse grids to fine ones, each starting from the one before and the coarsest from a
- * start.  The start chooses among solutions - a surface is not the only one with its
- * lambda, H and boundary - and enters no equation.  DESIGN section 6.
+ * coarse grids to fine ones, each starting from the one before and the coarsest from a start
+ * (or the first that has no more nodes than the start).  The start chooses among solutions -
+ * a surface is not the only one with its lambda, H and boundary - and enters no equation.
+ * DESIGN section 6.
  */
 #ifndef SURFACE_H
 #define SURFACE_H

@@ -10,7 +10,7 @@
 static const Chart COARSE = { 70, 67, 0.8 }, FINE = { 139, 133, 0.8 }, LATTICE = { 12, 10, 0.8 };
 enum { MOST = 139*133 };
 
-static double truth[3*MOST], found[3*MOST], kept[3*MOST], lambda[MOST], H[MOST], start[3*12*10];
+static double truth[3*MOST], found[3*MOST], kept[3*MOST], lambda[MOST], H[MOST], start[3*12*10], fine_start[3*70*67];
 static double nu[2][MOST], tau[2][MOST];
 static const FitOptions EXACT = { .tolerance = 1e-10, .most = 60, .sharpen = 1 };
 
@@ -110,6 +110,11 @@ start_enters_nothing(void **state)
 	memcpy(kept, found, n*sizeof *found);
 	for (k = 0; k < 3*12*10; k++)
 		start[k] += 0.05*noise(&seed);
+	reconstruct(&s, 1, &EXACT);
+	assert_true(largest(n, kept, found) < 1e-7);
+	memcpy(fine_start, truth, n*sizeof *truth);
+	s.start = fine_start;
+	s.start_chart = COARSE;
 	reconstruct(&s, 1, &EXACT);
 	assert_true(largest(n, kept, found) < 1e-7);
 	s.start = NULL;
