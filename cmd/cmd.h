@@ -80,6 +80,11 @@ typedef struct CmdInput {
 void cmd_open(CmdInput *in, const char *path);
 int  cmd_read(CmdInput *in, Lhg *g);
 void cmd_read_one(CmdInput *in, Lhg *g);
+
+/* Open path as cmd_open does and return 1, if its first bytes are those of a stream of
+ * grids; else return 0 and all its bytes, to be freed, as cmd_slurp. */
+int  cmd_open_or_slurp(CmdInput *in, const char *path, char **bytes, size_t *n);
+
 void cmd_write(Lhg *g);
 
 /* Write bytes (not a grid) to path, or to -o or stdout when path is NULL. */

@@ -12,16 +12,21 @@ enum {
 	COMPARE_N
 };
 
-/* Compare b with a, the surfaces of the files path[0] and path[1], or die.
- *
- * error  over the square root of the area of a
- * far    whether to find the Hausdorff distance
- * cross  whether to find self-intersections
- * value  out; -1 what was not asked for or cannot be said */
-void compare(const char *const path[2], const Mesh *a, const Mesh *b, double error, int far, int cross,
-	double value[COMPARE_N]);
+typedef struct Compare {
+	double error;           /* over the square root of the area of a */
+	int    far, cross;      /* whether to find the Hausdorff distance, self-intersections */
+} Compare;
 
-/* Write the values that are not -1, as lines or one JSON object. */
-void compare_print(const double value[COMPARE_N], int json);
+/* One of the two surfaces, and what is known of it alone. */
+typedef struct Side {
+	Mesh   m;
+	double area, crossings;         /* -1 crossings: not asked for */
+} Side;
+
+/* Measure side s, called place in messages, or die. */
+void compare_side(const Compare *c, const char *place, Side *s);
+
+/* Compare b with a, or die; -1 is the value of what was not asked for or cannot be said. */
+void compare(const Compare *c, const Side *a, const Side *b, double value[COMPARE_N]);
 
 #endif

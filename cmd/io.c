@@ -171,25 +171,48 @@ in_open(const char *path)
 	return f;
 }
 
-char *
-cmd_slurp(const char *path, size_t *n)
+/* All of f behind the *n bytes at head, which are taken already; closes f. */
+static char *
+slurp(FILE *f, const char *name, const char *head, size_t *n)
 {
-	FILE *f = in_open(path);
 	size_t room = 1 << 16;
 	char *s = cmd_alloc(room, 1), *more;
 
-	*n = 0;
+	memcpy(s, head, *n);
 	while ((*n += fread(s + *n, 1, room - *n, f)) == room) {
 		if (room > (size_t)-1/2 || !(more = realloc(s, 2*room)))
-			die("%s: no memory: %zu bytes wanted", cmd_name_of(path), 2*room);
+			die("%s: no memory: %zu bytes wanted", name, 2*room);
 		s = more;
 		room *= 2;
 	}
 	if (ferror(f))
-		die("%s: %s", cmd_name_of(path), strerror(errno));
+		die("%s: %s", name, strerror(errno));
 	if (f != stdin)
 		fclose(f);
 	return s;
+}
+
+char *
+cmd_slurp(const char *path, size_t *n)
+{
+	*n = 0;
+	return slurp(in_open(path), cmd_name_of(path), "", n);
+}
+
+int
+cmd_open_or_slurp(CmdInput *in, const char *path, char **bytes, size_t *n)
+{
+	char head[sizeof LHG_MAGIC - 1];
+	FILE *f = in_open(path);
+
+	in->name = cmd_name_of(path);
+	*n = fread(head, 1, sizeof head, f);
+	if (*n == sizeof head && memcmp(head, LHG_MAGIC, sizeof head) == 0) {
+		lhg_open_behind_magic(&in->s, f);
+		return 1;
+	}
+	*bytes = slurp(f, in->name, head, n);
+	return 0;
 }
 
 void

@@ -1,13 +1,15 @@
 /* lhdiff - how far two surfaces are apart */
+#include <string.h>
+
 #include "cmd.h"
-#include "compare.h"
+#include "report.h"
 #include "surface.h"
 
 static const char text[] =
 "usage: lhdiff [--json] [--hausdorff-error=E] [--no-hausdorff]\n"
 "              [--no-self-intersections] A B\n"
-"Compares surface B with A, the reference.  Each is a stream of one grid with channels\n"
-"x y z, or a mesh file (OFF, OBJ, PLY, STL); - is stdin.  Prints lines \"name value\":\n"
+"Compares surface B with A, the reference.  Each is a stream of grids with channels x y z,\n"
+"or a mesh file (OFF, OBJ, PLY, STL); - is stdin.  Prints lines \"name value\":\n"
 "  area_a area_b      areas\n"
 "  max mean           distance between vertices of equal number, left out where the\n"
 "                     numbers of vertices differ\n"
@@ -15,8 +17,13 @@ static const char text[] =
 "  hausdorff_error    plus or minus this; not more than this, where the two are equal\n"
 "  max_rel mean_rel hausdorff_rel   the same over the square root of the area of A\n"
 "  self_intersections_a, _b   pairs of faces that meet where they are not joined\n"
+"Streams of several grids, a morph or scales, are compared grid by grid, or all of B with\n"
+"A when A is one surface; they give a table, fields parted by tabs: a line of names, then\n"
+"a line for each pair, which begins with its number from 1 (frame); - is what cannot be\n"
+"said.  No more than one grid of each is held in memory, and what is asked of A alone is\n"
+"found once when it is one surface.\n"
 "Options:\n"
-"      --json         one JSON object instead\n"
+"      --json         one JSON object instead, or one a line in place of a table\n"
 "      --hausdorff-error=E  hausdorff_error over the square root of the area of A,\n"
 "                     1e-7..1 [1e-3]; the time grows as 1/E where the surfaces are\n"
 "                     nearer to each other than that\n"
@@ -32,29 +39,76 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
+/* The next surface of s, measured, in place of the one before, or 0. */
+static int
+next(const Compare *c, Surfaces *s, Side *side)
+{
+	mesh_free(&side->m);
+	if (!surfaces_next(s, &side->m))
+		return 0;
+	compare_side(c, s->place, side);
+	return 1;
+}
+
+/* As many grids in as as in bs, or die as soon as it is seen that there are not. */
+static void
+check_counts(const Surfaces *as, const Surfaces *bs)
+{
+	int m = as->in.s.frames, n = bs->in.s.frames;
+	const Surfaces *fewer = surfaces_more(as) ? bs : as, *more = surfaces_more(as) ? as : bs;
+
+	if (m > 1 && n > 1 && m != n)
+		die("%s has %d grids, %s has %d", as->in.name, m, bs->in.name, n);
+	if (surfaces_more(as) != surfaces_more(bs))
+		die("%s has %ld %s, %s has more", fewer->in.name, fewer->count,
+		    fewer->count == 1 ? "grid" : "grids", more->in.name);
+}
+
+static void
+compare_all(const Compare *c, Surfaces *as, Surfaces *bs, int json)
+{
+	Side a = { .area = 0 }, b = { .area = 0 };
+	double value[COMPARE_N];
+	Report r;
+	int one;
+
+	next(c, as, &a);
+	next(c, bs, &b);
+	one = !surfaces_more(as);
+	report_begin(&r, json, !one || surfaces_more(bs));
+	do {
+		if (!one)
+			check_counts(as, bs);
+		if (a.m.nv != b.m.nv && r.count == 0)
+			note("%d and %d vertices: no max and mean", a.m.nv, b.m.nv);
+		compare(c, &a, &b, value);
+		report_add(&r, c, value);
+	} while (next(c, bs, &b) && (one || next(c, as, &a)));
+	report_write(&r);
+	mesh_free(&a.m);
+}
+
 int
 main(int argc, char *argv[])
 {
-	double value[COMPARE_N], error = 1e-3;
-	int opt, json = 0, far = 1, cross = 1;
-	Mesh a, b;
+	Compare c = { 1e-3, 1, 1 };
+	int opt, json = 0;
+	Surfaces a, b;
 
 	cmd_begin("lhdiff", text);
 	while ((opt = cmd_getopt(argc, argv, "", longopt)) != -1)
 		switch (opt) {
 		case 'j': json = 1; break;
-		case 'e': error = opt_double(optarg, 1e-7, 1, "hausdorff-error"); break;
-		case 'H': far = 0; break;
-		case 'S': cross = 0; break;
+		case 'e': c.error = opt_double(optarg, 1e-7, 1, "hausdorff-error"); break;
+		case 'H': c.far = 0; break;
+		case 'S': c.cross = 0; break;
 		}
 	cmd_operands(argc, argv, 2, 2);
-	surface_load(argv[optind], &a);
-	surface_load(argv[optind+1], &b);
+	if (strcmp(argv[optind], "-") == 0 && strcmp(argv[optind+1], "-") == 0)
+		misuse("both A and B are stdin");
+	surfaces_open(&a, argv[optind]);
+	surfaces_open(&b, argv[optind+1]);
 
-	compare((const char *const *)argv + optind, &a, &b, error, far, cross, value);
-	compare_print(value, json);
-
-	mesh_free(&a);
-	mesh_free(&b);
+	compare_all(&c, &a, &b, json);
 	return cmd_end();
 }

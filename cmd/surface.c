@@ -1,64 +1,73 @@
-/* surface.c - a surface from a stream of grids or a mesh file, whichever it is. */
+/* surface.c - surfaces from streams of grids or from a mesh file, whichever it is. */
 #include <stdlib.h>
-#include <string.h>
 
 #include "../lib/disk.h"
 #include "../lib/gridmesh.h"
 #include "../lib/meshfile.h"
-#include "cmd.h"
 #include "surface.h"
 
-static const char magic[] = "lhg 1\n";
-
-static void
-from_grid(const char *name, char *bytes, size_t n, Mesh *m)
+void
+surfaces_open(Surfaces *s, const char *path)
 {
-	CmdInput in = { .name = name };
-	Lhg g;
-	FILE *f = fmemopen(bytes, n, "rb");
-
-	if (!f)
-		die("%s: no memory", name);
-	lhg_open(&in.s, f);
-	if (lhg_read(&in.s, &g) < 0)
-		die("%s: %s", name, in.s.err);
-	if (g.frames > 1 || in.s.ahead)
-		die("%s: holds several grids, want one", name);
-	if (mesh_from_grid(m, g.nu, g.nv, cmd_need(&in, &g, "x", LHG_GRID),
-	    cmd_need(&in, &g, "y", LHG_GRID), cmd_need(&in, &g, "z", LHG_GRID)))
-		die("%s: no memory for a mesh of %d x %d vertices", name, g.nu, g.nv);
-	lhg_free(&g);
-	fclose(f);
+	*s = (Surfaces){ .bytes = NULL };
+	s->grids = cmd_open_or_slurp(&s->in, path, &s->bytes, &s->n);
 }
 
-static void
-from_mesh(const char *name, const char *bytes, size_t n, Mesh *m)
+static int
+from_grid(CmdInput *in, Mesh *m)
 {
-	Soup s;
+	const double *x, *y, *z;
+	Lhg g;
+
+	if (!cmd_read(in, &g))
+		return 0;
+	x = cmd_need(in, &g, "x", LHG_GRID);
+	y = cmd_need(in, &g, "y", LHG_GRID);
+	z = cmd_need(in, &g, "z", LHG_GRID);
+	if (mesh_from_grid(m, g.nu, g.nv, x, y, z))
+		die("%s: no memory for a mesh of %d x %d vertices", in->name, g.nu, g.nv);
+	lhg_free(&g);
+	return 1;
+}
+
+static int
+from_mesh(Surfaces *s, Mesh *m)
+{
+	Soup soup;
 	Disk d;
 
-	if (meshfile_parse(&s, bytes, n))
-		die("%s: %s", name, s.err);
-	if (disk_from_soup(&d, &s))
-		die("%s: %s", name, d.err);
+	if (!s->bytes)
+		return 0;
+	if (meshfile_parse(&soup, s->bytes, s->n))
+		die("%s: %s", s->in.name, soup.err);
+	if (disk_from_soup(&d, &soup))
+		die("%s: %s", s->in.name, d.err);
 	if (d.note[0])
-		note("%s: %s", name, d.note);
-	soup_free(&s);
+		note("%s: %s", s->in.name, d.note);
+	soup_free(&soup);
 	*m = d.m;
 	d.m = (Mesh){ 0, 0, NULL, NULL };       /* m's from now on */
 	disk_free(&d);
+	free(s->bytes);
+	s->bytes = NULL;
+	return 1;
 }
 
-void
-surface_load(const char *path, Mesh *m)
+int
+surfaces_next(Surfaces *s, Mesh *m)
 {
-	const char *name = cmd_name_of(path);
-	size_t n;
-	char *bytes = cmd_slurp(path, &n);
-
-	if (n >= sizeof magic - 1 && !memcmp(bytes, magic, sizeof magic - 1))
-		from_grid(name, bytes, n, m);
+	if (!(s->grids ? from_grid(&s->in, m) : from_mesh(s, m)))
+		return 0;
+	s->count++;
+	if (s->count > 1 || surfaces_more(s))
+		snprintf(s->place, sizeof s->place, "%.250s: grid %ld", s->in.name, s->count);
 	else
-		from_mesh(name, bytes, n, m);
-	free(bytes);
+		snprintf(s->place, sizeof s->place, "%.250s", s->in.name);
+	return 1;
+}
+
+int
+surfaces_more(const Surfaces *s)
+{
+	return s->grids && (s->in.s.frame < s->in.s.frames || s->in.s.ahead);
 }

@@ -1,11 +1,29 @@
-/* surface.h - a surface from a stream of grids or a mesh file, whichever it is. */
+/* surface.h - surfaces from streams of grids or from a mesh file, whichever it is. */
 #ifndef CMD_SURFACE_H
 #define CMD_SURFACE_H
 
 #include "../lib/mesh.h"
+#include "cmd.h"
 
-/* The mesh of a file ("-": stdin): of an .lhg stream of one grid with channels x y z,
- * by its first bytes, or of a mesh file; or die with the reason. */
-void surface_load(const char *path, Mesh *m);
+/* The surfaces of one operand.  A mesh file has one, a stream as many as grids. */
+typedef struct Surfaces {
+	CmdInput in;            /* of grids */
+	char    *bytes;         /* of a mesh file that has not been read yet, else NULL */
+	size_t   n;
+	int      grids;         /* it is a stream */
+	long     count;         /* surfaces that came */
+	char     place[300];    /* of the last, for messages: the name, and its number if there are
+	                         * several */
+} Surfaces;
+
+/* path ("-": stdin) is taken for what its first bytes say. */
+void surfaces_open(Surfaces *s, const char *path);
+
+/* The next surface and 1, or 0 at the end; dies of a mesh that is no disk, and of grids
+ * without channels x y z. */
+int  surfaces_next(Surfaces *s, Mesh *m);
+
+/* Whether another will come, after one came. */
+int  surfaces_more(const Surfaces *s);
 
 #endif

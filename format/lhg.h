@@ -115,6 +115,11 @@ int lhg_note(Lhg *g, const char *step);
 /* Read from or write to f, which stays the caller's. */
 void lhg_open(LhgStream *s, FILE *f);
 
+/* Read from f, whose first bytes, LHG_MAGIC, are taken already: for those who must see
+ * whether it is a stream of grids at all. */
+#define LHG_MAGIC "lhg 1\n"
+void lhg_open_behind_magic(LhgStream *s, FILE *f);
+
 /* Read the next grid and its end mark; after the last frame of a set also look at
  * what follows: nothing, or the magic of another grid (which waits, on a pipe, until
  * one or the other is there).  g needs no lhg_init.

@@ -17,6 +17,13 @@ lhg_open(LhgStream *s, FILE *f)
 	s->f = f;
 }
 
+void
+lhg_open_behind_magic(LhgStream *s, FILE *f)
+{
+	lhg_open(s, f);
+	s->ahead = 1;
+}
+
 /* The frame that is due, else the one that is under way, else the number of the grid. */
 static size_t
 place(const LhgStream *s, const Lhg *g, char *to, size_t n)

@@ -9,7 +9,7 @@
 
 enum { FIRST = 131072 };        /* samples to make room for before any is there, 1 MiB */
 
-static const char MAGIC[] = "lhg 1\n";
+static const char MAGIC[] = LHG_MAGIC;
 enum { MAGICLEN = sizeof MAGIC - 1 };
 
 /* As many of n bytes as there are; a signal does not count as an error. */
