@@ -91,16 +91,16 @@ lhg_drop(Lhg *g, const char *name)
 	memmove(c, c + 1, (size_t)(&g->chan[g->nchan] - c)*sizeof *c);
 }
 
-/* The node of c after node p = j*nu + i, in row order, or nu*nv: LHG.md 2.2. */
-static size_t
-next(const Lhg *g, const LhgChannel *c, size_t p)
+/* LHG.md 2.2. */
+size_t
+lhg_next(const Lhg *g, const LhgChannel *c, size_t p)
 {
 	size_t nu = g->nu, nv = g->nv, w = c->step, i = ++p % nu, j = p / nu;
 
 	if (c->support == LHG_LATTICE && j % w)
 		return (j/w + 1)*w < nv ? (j/w + 1)*w*nu : nu*nv;
 	if (c->support == LHG_LATTICE && i % w)
-		return (i/w + 1)*w < nu ? j*nu + (i/w + 1)*w : next(g, c, j*nu + nu - 1);
+		return (i/w + 1)*w < nu ? j*nu + (i/w + 1)*w : lhg_next(g, c, j*nu + nu - 1);
 	if (c->support == LHG_BORDER && i >= w && i + w < nu && j >= w && j + w < nv)
 		return j*nu + nu - w;
 	return p;
@@ -111,7 +111,7 @@ lhg_gather(const Lhg *g, LhgChannel *c, const double *f)
 {
 	size_t k, p = 0;
 
-	for (k = 0; k < c->n; k++, p = next(g, c, p))
+	for (k = 0; k < c->n; k++, p = lhg_next(g, c, p))
 		c->f[k] = f[p];
 }
 
@@ -120,7 +120,7 @@ lhg_scatter(const Lhg *g, const LhgChannel *c, double *f)
 {
 	size_t k, p = 0;
 
-	for (k = 0; k < c->n; k++, p = next(g, c, p))
+	for (k = 0; k < c->n; k++, p = lhg_next(g, c, p))
 		f[p] = c->f[k];
 }
 

@@ -93,6 +93,10 @@ double *lhg_add(Lhg *g, const char *name, const char *unit, int support, int ste
 /* Remove the channel of that name, if there is one. */
 void lhg_drop(Lhg *g, const char *name);
 
+/* The node j*nu + i of c that comes after node p of it in row order, or nu*nv after the last;
+ * the first is node 0 for every support. */
+size_t lhg_next(const Lhg *g, const LhgChannel *c, size_t p);
+
 /* The samples of c picked from a whole grid f[nu*nv], or set back into it
  * (nodes outside the support are left alone). */
 void lhg_gather(const Lhg *g, LhgChannel *c, const double *f);

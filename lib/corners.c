@@ -113,10 +113,11 @@ turn(const Disk *d, const double *s, int i, double reach, const double n[3])
 	return copysign(atan2(norm3(c), dot3(a, b)), dot3(c, n));
 }
 
+/* From loop vertex i to arc length a, the shorter way, over the whole. */
 static double
-apart(const double *s, int nb, int i, int j)
+apart(const double *s, int nb, int i, double a)
 {
-	double t = fabs(s[i] - s[j]);
+	double t = fabs(s[i] - a);
 
 	return fmin(t, s[nb] - t)/s[nb];
 }
@@ -128,7 +129,7 @@ sharpest(const double *s, int nb, const double *angle, double far, const int *ch
 	int i, j, best = -1;
 
 	for (i = 0; i < nb; i++) {
-		for (j = 0; j < k && apart(s, nb, i, chosen[j]) > far; j++)
+		for (j = 0; j < k && apart(s, nb, i, s[chosen[j]]) > far; j++)
 			;
 		if (j == k && (best < 0 || angle[i] > angle[best]))
 			best = i;
@@ -160,7 +161,7 @@ clear_corners(const double *s, int nb, const double *angle, double far, int corn
 	qsort(chosen, 4, sizeof *chosen, ascending);
 	for (k = 0; k < 4; k++)
 		corner[k] = chosen[k];
-	if (apart(s, nb, 0, corner[3]) < apart(s, nb, 0, corner[0])) {
+	if (apart(s, nb, 0, s[corner[3]]) < apart(s, nb, 0, s[corner[0]])) {
 		for (k = 3; k > 0; k--)
 			corner[k] = chosen[k-1];
 		corner[0] = chosen[3];
@@ -235,6 +236,40 @@ corners_given(const Disk *d, const int vertex[4], int corner[4], int *at)
 	for (k = 0; k < 4; k++)
 		turns += corner[(k+1)%4] <= corner[k];
 	return turns == 1 ? 0 : CORNERS_EORDER;
+}
+
+/* The loop vertex nearest to arc length a. */
+static int
+at_length(const double *s, int nb, double a)
+{
+	int i, best = 0;
+
+	for (i = 1; i < nb; i++)
+		if (apart(s, nb, i, a) < apart(s, nb, best, a))
+			best = i;
+	return best;
+}
+
+int
+corners_at(const Disk *d, const double place[4], int corner[4])
+{
+	double *s = arc_length(d);
+	int k, i, last = -1, first = 0;
+
+	if (d->nb < 4 || !s) {
+		free(s);
+		return d->nb < 4 ? CORNERS_EFEW : CORNERS_ENOMEM;
+	}
+	for (k = 0; k < 4; k++) {
+		i = at_length(s, d->nb, place[k]*s[d->nb]);
+		first = k ? first : i;
+		i = (i - first + d->nb)%d->nb;          /* steps from the first */
+		i = i > last ? i : last + 1;
+		last = i < d->nb - (3 - k) ? i : d->nb - (4 - k);
+		corner[k] = (first + last)%d->nb;
+	}
+	free(s);
+	return 0;
 }
 
 int

@@ -37,6 +37,11 @@ int corners_auto(const Disk *d, int corner[4]);
  * CORNERS_EORDER (a loop gone round clockwise is one, too). */
 int corners_given(const Disk *d, const int vertex[4], int corner[4], int *at);
 
+/* The vertices nearest to four places of the loop, each its arc length from the start over
+ * that of the whole, 0 <= place < 1, in the order of the loop; where two would be the same
+ * vertex the later one is the next.  Returns 0, CORNERS_ENOMEM or CORNERS_EFEW. */
+int corners_at(const Disk *d, const double place[4], int corner[4]);
+
 /* The vertex of the boundary nearest to x, of several the one of the lowest number. */
 int corners_nearest(const Disk *d, const double x[3]);
 

@@ -259,11 +259,46 @@ too_few(void **state)
 	disk_free(&d);
 }
 
+/* Places of the vertices give the vertices, from any of them; close ones give neighbours. */
+static void
+at_places(void **state)
+{
+	double *s, total, at[4], e[3];
+	int corner[4], i, k, c;
+	Disk d;
+
+	(void)state;
+	make("face", 400, &d);
+	s = malloc((d.nb + 1)*sizeof *s);
+	for (s[0] = 0, i = 0; i < d.nb; i++) {
+		for (c = 0; c < 3; c++)
+			e[c] = d.m.xyz[3*d.loop[(i+1)%d.nb]+c] - d.m.xyz[3*d.loop[i]+c];
+		s[i+1] = s[i] + sqrt(e[0]*e[0] + e[1]*e[1] + e[2]*e[2]);
+	}
+	total = s[d.nb];
+	for (i = 0; i < d.nb; i++) {
+		for (k = 0; k < 4; k++)
+			at[k] = fmod((s[(i + k*d.nb/5)%d.nb] + 1e-3*total/d.nb)/total, 1);
+		assert_int_equal(corners_at(&d, at, corner), 0);
+		for (k = 0; k < 4; k++)
+			assert_int_equal(corner[k], (i + k*d.nb/5)%d.nb);
+	}
+	for (i = 0; i < d.nb; i++) {
+		for (k = 0; k < 4; k++)
+			at[k] = s[i]/total;
+		assert_int_equal(corners_at(&d, at, corner), 0);
+		for (k = 0; k < 4; k++)
+			assert_int_equal(corner[k], (i + k)%d.nb);
+	}
+	free(s);
+	disk_free(&d);
+}
+
 int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(real_corners),
+		cmocka_unit_test(real_corners), cmocka_unit_test(at_places),
 		cmocka_unit_test(equal_arcs),
 		cmocka_unit_test(ragged_corners),
 		cmocka_unit_test(notched),

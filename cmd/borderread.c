@@ -1,0 +1,33 @@
+/* borderread.c - the boundary curve of a grid of either kind. */
+#include "borderread.h"
+
+/* Coordinate c of the border, from a channel that covers it. */
+static void
+pick(const Lhg *g, const LhgChannel *from, int c, Border *b)
+{
+	size_t k, p = 0;
+	int i, j;
+
+	for (k = 0; k < from->n; k++, p = lhg_next(g, from, p)) {
+		i = (int)(p%g->nu);
+		j = (int)(p/g->nu);
+		if (i == 0 || j == 0 || i == g->nu - 1 || j == g->nv - 1)
+			b->x[3*border_index(g->nu, g->nv, i, j) + c] = from->f[k];
+	}
+}
+
+void
+border_read(const CmdInput *in, const Lhg *g, Border *b)
+{
+	static const char *const name[2][3] = { { "x", "y", "z" }, { "band.x", "band.y", "band.z" } };
+	int band = !lhg_find(g, "x"), c;
+
+	if (border_init(b, g->nu, g->nv))
+		die("%s: no memory for the border of %d x %d nodes", in->name, g->nu, g->nv);
+	for (c = 0; c < 3; c++) {
+		cmd_need(in, g, name[band][c], band ? LHG_BORDER : LHG_GRID);
+		pick(g, lhg_find(g, name[band][c]), c, b);
+	}
+	if (border_measure(b))
+		die("%s: the boundary has no length", in->name);
+}

@@ -1,0 +1,32 @@
+/* outline.h - a closed curve without its raggedness, as a shape.
+ *
+ * The boundary of a scan runs in and out, and what it gains in length so would count as
+ * way round it.  So the curve is smoothed first: points at equal arc length, their Fourier
+ * coefficients times exp(-(k/8)^2), and points at equal arc length of what results, centred and
+ * of root mean square 1.
+ */
+#ifndef OUTLINE_H
+#define OUTLINE_H
+
+enum {
+	OUTLINE_ENOMEM = -1,
+	OUTLINE_EVALUE = -2             /* the curve is not finite, or has no length */
+};
+
+typedef struct Outline {
+	int     n;
+	double *x;              /* [n][3] */
+	double *place;          /* [n+1] where the point at k/n of the curve's length has come to lie,
+	                         * over the length of the outline: 0 .. 1 */
+} Outline;
+
+/* The outline, of n points, of the closed polygon x[m][3]; it begins where x does.
+ * Returns 0, OUTLINE_ENOMEM or OUTLINE_EVALUE; o then holds nothing to free. */
+int  outline_init(Outline *o, int n, int m, const double *x);
+void outline_free(Outline *o);
+
+/* A place on the curve, over its length, as a place on the outline; and back.  Both 0 .. 1. */
+double outline_place(const Outline *o, double place);
+double outline_back(const Outline *o, double place);
+
+#endif
