@@ -2,100 +2,102 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../lib/blend.h"
 #include "cmd.h"
-#include "history.h"
+#include "morph.h"
 
 static const char text[] =
-"usage: lhinterp -t T | -n FRAMES A B >lh.lhg\n"
+"usage: lhinterp -t T[,T..] | -n FRAMES [OPTIONS] A B >lh.lhg\n"
 "reads two grids of equal size and equal channels (- is stdin) and writes (1-t) A + t B:\n"
 "lambda and H, the boundary band, the start, the height T of the chart and all other\n"
-"channels, equations (20)-(22).  Boundaries correspond by equal place on the rectangle.\n"
-"  -t, --at=T         one grid at T, 0..1: A itself at 0, B at 1\n"
+"channels, equations (20)-(22); A's numbers at t = 0, B's at t = 1\n"
+"  -t, --at=T[,T..]   a grid at each T, 0..1, in the order given\n"
 "  -n, --frames=N     N grids, t = 0, 1/(N-1), .., 1, as one stream; 2..1000000\n"
+"  -e, --ease         slowly off and slowly in: t^2 (3 - 2t) in place of every t\n"
+"  -l, --landmarks=FILE  boundaries correspond by landmarks (below), not by equal place on\n"
+"                     the rectangle\n"
+"  -a, --align        move B rigidly onto A first, so that the points of the boundaries that\n"
+"                     correspond are nearest (least squares over arc length; no reflection):\n"
+"                     x y z and every NAME.x NAME.y NAME.z in the unit length\n"
 CMD_USAGE
 "Metadata equal in A and B stay, others go; t is added.  The history holds the steps of\n"
-"both, marked A and B.\n";
+"both, marked A and B.  Without landmarks it is noted when B's boundary would fit A's clearly\n"
+"better with another of its corners in the first place.  A and B should be in the same unit of\n"
+"length: a large surface and a small one have no good surface between.  Memory: three grids,\n"
+"whatever the frames.\n"
+"FILE has one landmark a line, counterclockwise, one or more of them: two numbers, a place\n"
+"on A and a place on B, 0 <= place < 4, the side (0 bottom, 1 right, 2 top, 3 left; u or v\n"
+"up, then down) plus the part of it gone by, so that 0 1 2 3 are the corners; or six, a\n"
+"point x y z of A and one of B, each standing for the nearest point of the boundary.  # begins\n"
+"a comment.  Between landmarks, and from the last to the first, equal shares of arc length\n"
+"correspond (33)-(34).  Points that correspond move in space on a line (20), and from\n"
+"their place on A's rectangle to that on B's evenly, for there lambda and H want them; these\n"
+"two stay at equal place.  lh2grid holds the boundary curve only, and that is exact; the\n"
+"rings of the band inside it and the start are moved along with it (Coons patch).\n";
 
 static const struct option longopt[] = {
-	{ "at",     required_argument, NULL, 't' },
-	{ "frames", required_argument, NULL, 'n' },
+	{ "at",        required_argument, NULL, 't' },
+	{ "frames",    required_argument, NULL, 'n' },
+	{ "ease",      no_argument,       NULL, 'e' },
+	{ "landmarks", required_argument, NULL, 'l' },
+	{ "align",     no_argument,       NULL, 'a' },
 	CMD_LONGOPT
 };
 
-static void
-check_match(const CmdInput *A, const Lhg *a, const CmdInput *B, const Lhg *b)
+/* The list of -t, in *n numbers. */
+static double *
+opt_times(const char *list, int *n)
 {
-	const LhgChannel *c, *d;
-	int i;
+	char *copy = cmd_alloc(strlen(list) + 1, 1), *word = copy, *comma;
+	double *t = cmd_alloc(strlen(list) + 1, sizeof *t);
 
-	if (a->nu != b->nu || a->nv != b->nv)
-		die("%s has %d x %d nodes, %s has %d x %d", A->name, a->nu, a->nv, B->name, b->nu, b->nv);
-	cmd_need(A, a, "lambda", LHG_GRID);
-	cmd_need(A, a, "H", LHG_GRID);
-	for (i = 0; i < b->nchan; i++)
-		if (!lhg_find(a, b->chan[i].name))
-			die("%s has a channel %s, %s has none", B->name, b->chan[i].name, A->name);
-	for (i = 0; i < a->nchan; i++) {
-		c = &a->chan[i];
-		d = lhg_find(b, c->name);
-		if (!d)
-			die("%s has a channel %s, %s has none", A->name, c->name, B->name);
-		if (d->support != c->support || d->step != c->step)
-			die("channel %s has another support in %s than in %s", c->name, A->name, B->name);
-		if (strcmp(c->unit, d->unit) != 0)
-			die("channel %s is in %s in %s, in %s in %s", c->name, c->unit, A->name, d->unit, B->name);
+	strcpy(copy, list);
+	for (*n = 0; word; word = comma) {
+		if ((comma = strchr(word, ',')))
+			*comma++ = '\0';
+		t[(*n)++] = opt_double(word, 0, 1, "at");
 	}
+	free(copy);
+	return t;
 }
 
-static void
-between(const Lhg *a, const Lhg *b, double t, Lhg *g)
+static double
+eased(double t)
 {
-	const LhgChannel *c;
-	int i;
-
-	lhg_init(g, a->nu, a->nv, a->T);
-	blend(1, t, &a->T, &b->T, &g->T);
-	for (i = 0; i < a->nchan; i++) {
-		c = &a->chan[i];
-		blend(c->n, t, c->f, lhg_find(b, c->name)->f, cmd_add(g, c->name, c->unit, c->support, c->step));
-	}
-	history_merge(a, b, g);
-	cmd_meta(g, "t", "%.10g", t);
+	return t*t*(3 - 2*t);
 }
 
 int
 main(int argc, char *argv[])
 {
-	double t = -1;
-	int opt, frames = 0, i;
-	CmdInput A, B;
-	Lhg a, b, g;
+	int opt, frames = 0, ease = 0, align = 0, k, n = 0;
+	const char *landmarks = NULL;
+	double *at = NULL, t;
+	Morph m;
+	Lhg g;
 
 	cmd_begin("lhinterp", text);
-	while ((opt = cmd_getopt(argc, argv, "t:n:", longopt)) != -1)
+	while ((opt = cmd_getopt(argc, argv, "t:n:el:a", longopt)) != -1)
 		switch (opt) {
-		case 't': t = opt_double(optarg, 0, 1, "at"); break;
+		case 't': free(at); at = opt_times(optarg, &n); break;
 		case 'n': frames = opt_long(optarg, 2, LHG_MAXFRAMES, "frames"); break;
+		case 'e': ease = 1; break;
+		case 'l': landmarks = optarg; break;
+		case 'a': align = 1; break;
 		}
-	if ((t < 0) == (frames == 0))
+	if (!at == !frames)
 		misuse("say one of -t T and -n FRAMES");
 	cmd_operands(argc, argv, 2, 2);
 	cmd_binary_output();
 
-	cmd_open(&A, argv[optind]);
-	cmd_read_one(&A, &a);
-	cmd_open(&B, argv[optind + 1]);
-	cmd_read_one(&B, &b);
-	check_match(&A, &a, &B, &b);
-	for (i = 1; i <= (frames ? frames : 1); i++) {
-		between(&a, &b, frames ? (i - 1)/(frames - 1.0) : t, &g);
-		g.frame = i;
-		g.frames = frames ? frames : 1;
+	morph_open(&m, argv[optind], argv[optind+1], landmarks, align);
+	n = frames ? frames : n;
+	for (k = 0; k < n; k++) {
+		t = frames ? k/(n - 1.0) : at[k];
+		morph_at(&m, ease ? eased(t) : t, k + 1, n, &g);
 		cmd_write(&g);
 		lhg_free(&g);
 	}
-	lhg_free(&a);
-	lhg_free(&b);
+	morph_free(&m);
+	free(at);
 	return cmd_end();
 }

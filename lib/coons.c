@@ -1,0 +1,23 @@
+/* coons.c - the border's values over the grid. */
+#include "border.h"
+#include "coons.h"
+
+void
+coons(int nu, int nv, const double *d, int i, int j, double f[3])
+{
+	double u = (double)i/(nu - 1), v = (double)j/(nv - 1);
+	int a = nu - 1, b = nv - 1, c;
+	const double *left = d + 3*border_index(nu, nv, 0, j), *right = d + 3*border_index(nu, nv, a, j);
+	const double *bottom = d + 3*border_index(nu, nv, i, 0), *top = d + 3*border_index(nu, nv, i, b);
+	const double *d00 = d, *d10 = d + 3*a, *d11 = d + 3*(a + b), *d01 = d + 3*(2*a + b);
+
+	for (c = 0; c < 3; c++) {
+		if (j == 0 || j == b)
+			f[c] = j ? top[c] : bottom[c];
+		else if (i == 0 || i == a)
+			f[c] = i ? right[c] : left[c];
+		else
+			f[c] = (1 - u)*left[c] + u*right[c] + (1 - v)*bottom[c] + v*top[c]
+			    - (1 - u)*(1 - v)*d00[c] - u*(1 - v)*d10[c] - (1 - u)*v*d01[c] - u*v*d11[c];
+	}
+}

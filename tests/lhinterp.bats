@@ -1,0 +1,208 @@
+# lhinterp.bats - times, landmarks, alignment, and which quarter turn.
+
+load helper
+
+setup_file() {
+	load helper
+	mkmesh -n 900 face -o "$tmp/a.off"
+	mkmesh -n 700 face smile=0.8 nose=0.6 -o "$tmp/b.off"
+	mesh2rect -q -n 24x20 "$tmp/a.off" -o "$tmp/a.phi"
+	mesh2rect -q -n 24x20 --like="$tmp/a.phi" "$tmp/b.off" -o "$tmp/b.phi"
+	grid2lh "$tmp/a.phi" -o "$tmp/a"
+	grid2lh --residual "$tmp/a.phi" -o "$tmp/a.all"
+	grid2lh "$tmp/b.phi" -o "$tmp/b"
+	printf '0.3 0.5\n1 1.1 # a comment\n\n2.2, 2\n3\t2.9\r\n' >"$tmp/marks"
+}
+
+# python SCRIPT ARGS..: with lhg and numpy; read(f) is a list of grids, ring(g) the band's
+# border [n][3] counterclockwise.
+python() {
+	/usr/bin/python3 -c "import sys; sys.path.insert(0, 'scripts'); import lhg, numpy as np
+def read(f): return list(lhg.read(f))
+def whole(g, name):
+    f = np.full((g.nv, g.nu), np.nan); c = g.channels[name]; f[g.mask(c)] = c.data; return f
+def ring(g):
+    x = np.stack([whole(g, 'band.' + c) for c in 'xyz'], -1)
+    return np.concatenate([x[0, :-1], x[:-1, -1], x[-1, :0:-1], x[:0:-1, 0]])
+$1" "${@:2}"
+}
+
+# equal A B: last grids with equal channels, bit for bit.
+equal() {
+	python 'a, b = (read(f)[-1] for f in sys.argv[1:3])
+assert a.T == b.T and list(a.channels) == list(b.channels)
+for c in a.channels: assert a[c].tobytes() == b[c].tobytes(), c' "$1" "$2"
+}
+
+@test "t = 0 and t = 1 are A and B bit for bit, with landmarks and without" {
+	for o in '' --ease "--landmarks=$tmp/marks"; do
+		lhinterp -q -t 1,0 $o "$tmp/a" "$tmp/b" -o "$tmp/ends"
+		equal "$tmp/a" "$tmp/ends"
+		lhinterp -q -n 4 $o "$tmp/a" "$tmp/b" -o "$tmp/frames"
+		equal "$tmp/b" "$tmp/frames"
+	done
+	lhinterp -q -t 0 --align --landmarks="$tmp/marks" "$tmp/a" "$tmp/b" -o "$tmp/zero"
+	equal "$tmp/a" "$tmp/zero"
+	# the sign of zero, too
+	python 'g = read(sys.argv[1])[0]; g["H"][...] = -0.0; lhg.write(open(sys.argv[2], "wb"), [g])' "$tmp/b" "$tmp/minus"
+	lhinterp -q -t 1 "$tmp/a" "$tmp/minus" -o "$tmp/one"
+	equal "$tmp/minus" "$tmp/one"
+}
+
+@test "-t takes a list, in its order; -n is one; --ease is t^2 (3 - 2t)" {
+	lhinterp -q -t 0.75,0,0.25 "$tmp/a" "$tmp/b" -o "$tmp/list"
+	python 'g = read(sys.argv[1])
+assert [(x.meta["t"], x.frame, x.frames) for x in g] == [("0.75", 1, 3), ("0", 2, 3), ("0.25", 3, 3)]' "$tmp/list"
+	lhinterp -q -n 5 "$tmp/a" "$tmp/b" -o "$tmp/n"
+	lhinterp -q -t 0,0.25,0.5,0.75,1 "$tmp/a" "$tmp/b" -o "$tmp/t"
+	python 'for a, b in zip(*map(read, sys.argv[1:])):
+    assert all(a[c].tobytes() == b[c].tobytes() for c in a.channels) and a.meta == b.meta' "$tmp/n" "$tmp/t"
+	lhinterp -q -n 5 --ease "$tmp/a" "$tmp/b" -o "$tmp/ease"
+	python 'got = [float(g.meta["t"]) for g in read(sys.argv[1])]
+assert np.allclose(got, [t*t*(3 - 2*t) for t in (0, 0.25, 0.5, 0.75, 1)], rtol=0, atol=1e-9), got' "$tmp/ease"
+	lhinterp -q -t 0.15625 "$tmp/a" "$tmp/b" -o "$tmp/u"
+	lhinterp -q -t 0.25 -e "$tmp/a" "$tmp/b" -o "$tmp/v"
+	equal "$tmp/u" "$tmp/v"
+	try 2 'at=: need a number in \[0,1\]'    /dev/null lhinterp -t 0.5, a b
+	try 2 'at=1.01: need a number in \[0,1\]' /dev/null lhinterp -t 0,1.01 a b
+	try 2 'at=nan: need a number in \[0,1\]' /dev/null lhinterp -t nan a b
+}
+
+@test "landmarks at the corners where sides have equal shares: the border moves as it says" {
+	# between A and A every pair of equal landmarks changes nothing
+	printf '%s\n' '0.2 0.2' '1.7 1.7' '3 3' >"$tmp/same"
+	lhinterp -q -t 0.5 --landmarks="$tmp/same" "$tmp/a" "$tmp/a" -o "$tmp/half"
+	python 'a, h = (read(f)[0] for f in sys.argv[1:])
+for c in a.channels: assert abs(a[c] - h[c]).max() < 1e-9*abs(a[c]).max(), c' "$tmp/a" "$tmp/half"
+}
+
+@test "a pair of landmarks meets where it should, at every t; lambda and H stay" {
+	lhinterp -q -t 0.25,0.5 --landmarks="$tmp/marks" "$tmp/a" "$tmp/b" -o "$tmp/marked"
+	lhinterp -q -t 0.25,0.5 "$tmp/a" "$tmp/b" -o "$tmp/plain"
+	python 'a, b = (read(f)[0] for f in sys.argv[1:3])
+nu, nv = a.nu, a.nv
+def at(x, r):
+    s = int(r); f = (r - s)*((nv if s % 2 else nu) - 1)
+    k = [0, nu - 1, nu + nv - 2, 2*nu + nv - 3][s] + int(f); w = f - int(f)
+    return (1 - w)*x[k] + w*x[(k + 1) % len(x)]
+for m, p in zip(read(sys.argv[3]), read(sys.argv[4])):
+    t = float(m.meta["t"]); h = abs(np.diff(ring(m), axis=0)).max()
+    for i, j in (0.3, 0.5), (1, 1.1), (2.2, 2), (3, 2.9):
+        want = (1 - t)*at(ring(a), i) + t*at(ring(b), j)
+        got = at(ring(m), (1 - t)*i + t*j)
+        assert abs(got - want).max() < 0.3*h, (t, i, got, want)
+        assert abs(at(ring(p), (1 - t)*i + t*j) - want).max() > 0 or i == j
+    for c in "lambda", "H": assert m[c].tobytes() == p[c].tobytes()
+    # ring by ring and in the lattice, what was added is the border moved, or less
+    d = abs(ring(m) - ring(p)).max()
+    for c in ("band.x", "start.y"): assert 0 < abs(m[c] - p[c]).max() <= 1.5*d, c
+    s = whole(m, "start.x"); e = whole(m, "band.x"); both = ~np.isnan(s) & ~np.isnan(e)
+    assert both.sum() > 4 and abs(s - e)[both].max() < 1e-12*abs(e[both]).max()
+' "$tmp/a" "$tmp/b" "$tmp/marked" "$tmp/plain"
+	lh2grid "$tmp/marked" -o "$tmp/surfaces"
+	lh2grid --no-start "$tmp/marked" -o "$tmp/surfaces"
+}
+
+@test "landmarks as points are those of the nearest places; equal bytes for equal numbers" {
+	python 'a, b = (ring(read(f)[0]) for f in sys.argv[1:])
+for k in (3, 20, 40, 70): print("%.17g %.17g %.17g" % tuple(a[k]), "%.17g,%.17g,%.17g" % tuple(b[k + 2]))' "$tmp/a" "$tmp/b" >"$tmp/points"
+	python 'g = read(sys.argv[1])[0]
+def r(k):
+    n = [0, g.nu - 1, g.nu + g.nv - 2, 2*g.nu + g.nv - 3, 2*g.nu + 2*g.nv - 4]
+    s = max(i for i in range(4) if n[i] <= k); return s + (k - n[s])/(n[s + 1] - n[s])
+for k in (3, 20, 40, 70): print(repr(r(k)), repr(r(k + 2)))' "$tmp/a" >"$tmp/places"
+	lhinterp -q -t 0.5 --landmarks="$tmp/points" "$tmp/a" "$tmp/b" -o "$tmp/1"
+	lhinterp -q -t 0.5 --landmarks="$tmp/places" "$tmp/a" "$tmp/b" -o "$tmp/2"
+	python 'a, b = (read(f)[0] for f in sys.argv[1:])
+for c in a.channels: assert abs(a[c] - b[c]).max() < 1e-9*abs(a[c]).max(), c' "$tmp/1" "$tmp/2"
+	echo "1e3 0 0 $(head -1 "$tmp/points" | cut -d ' ' -f 4-)" >"$tmp/far"
+	try 0 'far: line 1: the point is .* from the boundary of A' /dev/null lhinterp -t 0.5 --landmarks="$tmp/far" "$tmp/a" "$tmp/b"
+}
+
+@test "landmark files that are wrong are refused with the line" {
+	bad() {
+		printf "$1" >"$tmp/bad"
+		try 1 "bad: $2" /dev/null lhinterp -t 0.5 --landmarks="$tmp/bad" "$tmp/a" "$tmp/b"
+	}
+	bad ''                          'no landmarks'
+	bad '# nothing\n\n'             'no landmarks'
+	bad '0 0\n1\n'                  'line 2: 1 number, need two places or two points'
+	bad '0 0 1\n'                   'line 1: 3 numbers, need two'
+	bad '0 0 1 1 1 1 1\n'           'line 1: more than 6 numbers, need two'
+	bad '0 0\n# x\n1 one\n'         'line 3: one is not a number'
+	bad '0 nan\n'                   'line 1: nan is not a number'
+	bad '0 0x1\n'                   'line 1: 0x1 is not a number'
+	bad '0 0\n4 1\n'                'line 2: place 4 is not in \[0,4\)'
+	bad '0 -0.1\n'                  'line 1: place -0.1 is not in'
+	bad '0 0\n2 1\n1 2\n'           'line 3: place 1 on A does not lie between 2 and 0, counterclockwise'
+	bad '0 0\n1 3\n2 2\n'           'line 3: place 2 on B does not lie between 3 and 0'
+	bad '0 0\n1 1\n1 2\n'           'line 3: place 1 on A'
+	bad '2 1\n3 2\n2.5 3\n'         'line 3: place 2.5 on A'
+	printf '0 0\0\n1 1\n' >"$tmp/bad"
+	try 1 'bad: not a text'         /dev/null lhinterp -t 0.5 --landmarks="$tmp/bad" "$tmp/a" "$tmp/b"
+	try 1 'nosuch: No such file'    /dev/null lhinterp -t 0.5 --landmarks="$tmp/nosuch" "$tmp/a" "$tmp/b"
+	python 'g = read(sys.argv[1])[0]
+for c in "xyz": del g.channels["band." + c]
+lhg.write(open(sys.argv[2], "wb"), [g])' "$tmp/a" "$tmp/bandless"
+	try 0 '' /dev/null lhinterp -t 0.5 "$tmp/bandless" "$tmp/bandless"
+	try 1 'bandless: no channel band.x' /dev/null lhinterp -t 0.5 --landmarks="$tmp/marks" "$tmp/bandless" "$tmp/bandless"
+	try 1 'bandless: no channel band.x' /dev/null lhinterp -t 0.5 --align "$tmp/bandless" "$tmp/bandless"
+}
+
+@test "--align brings a moved copy back, positions and nothing else; without it B stays" {
+	python 'g = read(sys.argv[1])[0]
+R = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0], [0.48, 0.64, 0.6]])
+for n in "band.", "start.":
+    x = R @ np.stack([g[n + c] for c in "xyz"]) + np.array([[5], [-7], [11]])
+    for k, c in enumerate("xyz"): g[n + c][...] = x[k]
+lhg.write(open(sys.argv[2], "wb"), [g])' "$tmp/a.all" "$tmp/away"
+	lhinterp -t 1 "$tmp/a.all" "$tmp/away" -o "$tmp/stays"
+	equal "$tmp/away" "$tmp/stays"
+	lhinterp -t 0,0.5,1 --align "$tmp/a.all" "$tmp/away" -o "$tmp/back"
+	python 'a = read(sys.argv[1])[0]
+for g in read(sys.argv[2]):
+    for c in a.channels: assert abs(a[c] - g[c]).max() < 1e-12*abs(a[c]).max(), c' "$tmp/a.all" "$tmp/back"
+	# a mirror image is not turned into its original
+	python 'g = read(sys.argv[1])[0]
+for n in "band.x", "start.x": g[n][...] *= -1
+lhg.write(open(sys.argv[2], "wb"), [g])' "$tmp/a" "$tmp/mirror"
+	lhinterp -q -t 1 --align "$tmp/a" "$tmp/mirror" -o "$tmp/still"
+	python 'a, m = (ring(read(f)[0]) for f in sys.argv[1:])
+assert abs(a - m).max() > 0.05*np.ptp(a)
+d = lambda x: np.linalg.norm(x[:, None] - x[None], axis=-1)
+assert abs(d(m) - d(a)).max() < 1e-9*np.ptp(a)
+det = lambda x: np.linalg.det(np.stack([x[10] - x[0], x[30] - x[0], x[50] - x[0]]))
+assert det(a)*det(m) < 0' "$tmp/a" "$tmp/still"
+}
+
+@test "another quarter turn that would fit better is noted, exit 0; one that fits is not" {
+	c=$(lhinfo "$tmp/a.phi" | awk '$2 == "corners" { print $3 }')
+	turn() { echo "$c" | awk -F , -v k="$1" '{ for (i = 0; i < 4; i++) printf "%s%s", $((i + k)%4 + 1), i < 3 ? "," : "\n" }'; }
+	for k in 1 2 3; do
+		mesh2rect -q -n 24x20 -c "$(turn $k)" "$tmp/a.off" | grid2lh -o "$tmp/turned"
+		order=$(for i in 0 1 2 3; do echo $(((i + 4 - k)%4 + 1)); done | xargs | tr ' ' ,)
+		try 0 "better with corners $order .mesh2rect --like" /dev/null lhinterp -t 0.5 "$tmp/a" "$tmp/turned"
+		[ -s "$tmp/out" ]
+		try 0 '' /dev/null lhinterp -q -t 0.5 "$tmp/a" "$tmp/turned"
+	done
+	try 0 '' /dev/null lhinterp -t 0.5 "$tmp/a" "$tmp/b"
+}
+
+@test "memory does not grow with the frames" {
+	[ -x /usr/bin/time ] || skip "no time(1)"
+	case $BUILD in */*) skip "sanitizers keep what is freed" ;; esac
+	mkmesh -n 900 face | mesh2rect -q -n 200 | grid2lh -o "$tmp/big"
+	peak() { /usr/bin/time -f %M -o "$tmp/kb" lhinterp -q -n "$1" "$tmp/big" "$tmp/big" >/dev/null; tail -1 "$tmp/kb"; }
+	below "$(peak 40)" "$(($(peak 2) + 2000))"
+}
+
+@test "a morph of two real faces, corners by --like, aligned: farther with every frame" {
+	[ -d "$meshes/good" ] || skip "no meshes"
+	mesh2rect -q -n 48 "$meshes/good/face_neutral_1875.obj" -o "$tmp/n.phi"
+	mesh2rect -q -n 48 --like="$tmp/n.phi" "$meshes/good/face_smile_1656.obj" | grid2lh -o "$tmp/s"
+	grid2lh "$tmp/n.phi" -o "$tmp/n"
+	lhinterp -n 3 --align "$tmp/n" "$tmp/s" 2>"$tmp/said" | lh2grid -o "$tmp/m"
+	[ ! -s "$tmp/said" ]
+	lhdiff --no-hausdorff "$tmp/n.phi" "$tmp/m" | awk 'NR > 1 { print $7 }' >"$tmp/means"
+	sort -gc "$tmp/means"
+}
