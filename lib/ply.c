@@ -58,10 +58,12 @@ value(Record *c, const PlyType *type, double *x)
 static int
 whole(Record *c, double x, double lo)
 {
+	char show[SCAN_SHOW];
+
 	if (x >= lo && x <= 1e15 && floor(x) == x)
 		return 0;
-	return mesh_fail(c->p->r->s->err, MESH_EFORMAT, "%.*s %lld has %g where a whole number belongs",
-	    c->e->name.n < 32 ? (int)c->e->name.n : 32, c->e->name.s, c->i, x);
+	return mesh_fail(c->p->r->s->err, MESH_EFORMAT, "%s %lld has %g where a whole number belongs",
+	    scan_show(c->e->name, show), c->i, x);
 }
 
 /* A corner of a strip makes a triangle with the two before; every second one stands the

@@ -190,6 +190,8 @@ ply_rules(void **state)
 	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 .5\n", MESH_EFORMAT, "face 0 has 0.5 where");
 	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n-3 0 0 0\n", MESH_EFORMAT, "face 0 has -3 where");
 	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 0\n9", MESH_EFORMAT, "1 bytes follow");
+	refuses(HEAD("ascii", "0") "element a\x1b[2J 1\nproperty list int int q\nend_header\n-1\n", MESH_EFORMAT,
+	    "a?[2J 0 has -1 where a whole number belongs");
 	refuses(HEAD("ascii", "1") FACES("2") "end_header\n0 0 0\n3 0 0 0\n 3 0", MESH_EFORMAT, "file ends in face 1 of 2");
 	refuses(HEAD("ascii", "2") "end_header\n0 0 0\n0 inf 0\n", MESH_EVALUE, "vertex 1");
 }
