@@ -5,6 +5,7 @@
 #   make SANITIZE=address,undefined check      the same in build/address,undefined
 #   make install PREFIX=/usr/local DESTDIR=
 #   make bench                the numbers the project promises (minutes)
+#   make fuzz FUZZ_SECONDS=60 hostile inputs, so long for each target (clang 14)
 
 include config.mk
 
@@ -28,12 +29,17 @@ BIN      := $(CMD:%=$(BUILD)/bin/%)
 TESTSRC  := $(wildcard tests/*.c)
 TESTBIN  := $(TESTSRC:%.c=$(BUILD)/%)
 UNIT     := $(filter $(BUILD)/tests/test_%,$(TESTBIN))
-OBJ      := $(LIBOBJ) $(SHARED) $(CMD:%=$(BUILD)/cmd/%.o) $(TESTBIN:%=%.o)
+FUZZ     := lhg lhg_nocrc off obj ply stl gzip
+FUZZBIN  := $(FUZZ:%=$(BUILD)/tests/fuzz/%)
+FUZZMAIN := $(BUILD)/tests/fuzz/replay.o
+FUZZOBJ  := $(BUILD)/tests/fuzz/memory.o $(BUILD)/tests/fuzz/mesh.o
+OBJ      := $(LIBOBJ) $(SHARED) $(CMD:%=$(BUILD)/cmd/%.o) $(TESTBIN:%=%.o) \
+            $(FUZZBIN:%=%.o) $(FUZZMAIN) $(FUZZOBJ)
 LIB      := $(BUILD)/liblhgrid.a
 
 all: $(BIN)
 
-tests: $(TESTBIN)
+tests: $(TESTBIN) $(FUZZBIN)
 
 $(BIN): $(BUILD)/bin/%: $(BUILD)/cmd/%.o $(SHARED) $(LIB)
 	@mkdir -p $(@D)
@@ -41,6 +47,11 @@ $(BIN): $(BUILD)/bin/%: $(BUILD)/cmd/%.o $(SHARED) $(LIB)
 
 $(TESTBIN): %: %.o $(LIB)
 	$(CXX) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
+
+$(FUZZBIN): %: %.o $(FUZZMAIN) $(FUZZOBJ) $(LIB)
+	$(CXX) $(LDFLAGS) -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free -o $@ $^ $(LDLIBS)
+
+$(LIBOBJ): ALL_CFLAGS += $(COVER)
 
 $(LIB): $(LIBOBJ)
 	rm -f $@
@@ -69,7 +80,22 @@ check:
 	scripts/deps --tests
 	$(MAKE) all tests
 	for t in $(UNIT); do $$t || exit 1; done
+	for t in $(FUZZ); do $(BUILD)/tests/fuzz/$$t tests/fuzz/corpus/$$t || exit 1; done
 	bats tests
+
+# The targets under libFuzzer, with what they need of the library and no more.
+FUZZ_SECONDS = 60
+FUZZLIB := $(patsubst %.c,build/fuzz/%.o,$(wildcard format/*.c) $(addprefix lib/,gunzip.c mesh.c \
+           meshfile.c meshwrite.c obj.c off.c ply.c plyhead.c scan.c soup.c stl.c stlwrite.c uvread.c))
+
+fuzz:
+	scripts/deps --fuzz
+	$(MAKE) BUILD=build/fuzz CC=clang-14 CXX=clang++-14 OPENMP= LIBOBJ='$(FUZZLIB)' FUZZMAIN= \
+	    CFLAGS='-O2 -g -fno-sanitize-recover=all -fsanitize=address,undefined' COVER=-fsanitize=fuzzer-no-link \
+	    LDFLAGS='-Wl,--as-needed -fsanitize=fuzzer,address,undefined' fuzztargets
+	scripts/fuzz $(FUZZ_SECONDS) $(FUZZ)
+
+fuzztargets: $(FUZZBIN)
 
 bench: all tests
 	PATH="$(CURDIR)/$(BUILD)/bin:$$PATH" sh scripts/bench
@@ -84,7 +110,7 @@ uninstall:
 clean:
 	rm -rf build
 
-.PHONY: all tests demo check bench install uninstall clean
+.PHONY: all tests demo check fuzz fuzztargets bench install uninstall clean
 .SECONDARY: $(OBJ)
 
 -include $(OBJ:.o=.d)

@@ -1,0 +1,161 @@
+/* mesh.c - what every fuzz target of the mesh readers demands. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../../lib/meshfile.h"
+#include "fuzz.h"
+
+typedef int Parse(Soup *s, const void *bytes, size_t n);
+
+size_t
+fuzz_meshbound(size_t n)
+{
+	return 16*n + 1024;
+}
+
+/* The first refusal that has no words, two lines or control characters stops. */
+static void
+refused(const Soup *s)
+{
+	const char *p;
+
+	fuzz_need(!s->xyz && !s->first && !s->idx && !s->uv, "a refused mesh has something to free");
+	fuzz_need(s->err[0] != '\0', "a refusal without words");
+	for (p = s->err; *p; p++)
+		fuzz_need(*p >= 0x20 && *p < 0x7f, "a message is not one printable line");
+}
+
+static void
+valid(const Soup *s)
+{
+	size_t i;
+	int f;
+
+	fuzz_need(s->nv >= 0 && s->nf >= 0 && s->xyz && s->first && s->idx, "an array is missing");
+	fuzz_need(s->first[0] == 0, "faces do not begin at corner 0");
+	for (f = 0; f < s->nf; f++)
+		fuzz_need(s->first[f] <= s->first[f+1], "a face has a negative number of corners");
+	for (i = 0; i < (size_t)s->first[s->nf]; i++)
+		fuzz_need(s->idx[i] >= 0 && s->idx[i] < s->nv, "a corner is no vertex");
+	for (i = 0; i < 3*(size_t)s->nv; i++)
+		fuzz_need(isfinite(s->xyz[i]), "a coordinate is not finite");
+	for (i = 0; s->uv && i < 2*(size_t)s->nv; i++)
+		fuzz_need(isfinite(s->uv[i]), "a (u,v) is not finite");
+	fuzz_need(s->T >= 0 && isfinite(s->T), "T is neither 0 nor positive");
+}
+
+/* n doubles, also -0, bit by bit; n may be 0. */
+static int
+samebits(const void *a, const void *b, size_t bytes)
+{
+	return bytes == 0 || memcmp(a, b, bytes) == 0;
+}
+
+static void
+same(const Soup *a, const Soup *b)
+{
+	size_t nv = (size_t)a->nv, nf = (size_t)a->nf;
+
+	fuzz_need(a->nv == b->nv && a->nf == b->nf, "a mesh comes back with other counts");
+	fuzz_need(samebits(a->xyz, b->xyz, 3*nv*sizeof(double)), "coordinates do not come back");
+	fuzz_need(samebits(a->first, b->first, (nf + 1)*sizeof(int)), "numbers of corners do not come back");
+	fuzz_need(samebits(a->idx, b->idx, (size_t)a->first[nf]*sizeof(int)), "corners do not come back");
+	fuzz_need(!a->uv == !b->uv && a->T == b->T, "T does not come back");
+	fuzz_need(!a->uv || samebits(a->uv, b->uv, 2*nv*sizeof(double)), "(u,v) do not come back");
+}
+
+/* Written as kind and read again. */
+static void
+comesback(const Soup *s, int kind, Parse *parse)
+{
+	Soup again;
+	char *p;
+	size_t n;
+
+	fuzz_need(meshfile_format_soup(s, kind, &p, &n) == 0, "an accepted mesh cannot be written");
+	fuzz_need(parse(&again, p, n) == 0, "what was written is refused");
+	free(p);
+	same(s, &again);
+	soup_free(&again);
+}
+
+/* Triangles only: as STL, three own vertices each, rounded to float. */
+static void
+asstl(const Soup *s)
+{
+	const Mesh m = { s->nv, s->nf, s->xyz, s->idx };
+	Soup again;
+	size_t i, n;
+	char *p;
+	int f, e, c;
+
+	for (f = 0; f < s->nf; f++)
+		if (s->first[f+1] - s->first[f] != 3)
+			return;
+	if ((e = meshfile_format(&m, MESHFILE_STL, &p, &n)) == MESH_EVALUE)
+		return;                 /* beyond a float */
+	fuzz_need(e == 0, "an accepted mesh cannot be written as STL");
+	fuzz_need(meshfile_parse(&again, p, n) == 0, "what was written as STL is refused");
+	free(p);
+	fuzz_need(again.nf == s->nf && again.nv == 3*s->nf, "STL comes back with other counts");
+	for (i = 0; i < (size_t)again.nv; i++)
+		for (c = 0; c < 3; c++)
+			fuzz_need(again.xyz[3*i + (size_t)c] == (double)(float)s->xyz[3*s->idx[i] + c],
+			    "STL comes back with other corners");
+	soup_free(&again);
+}
+
+/* An OBJ gives no (u,v) to a vertex of no face, and without vertices it is no OBJ. */
+static int
+fitsobj(const Soup *s)
+{
+	char *used;
+	size_t i, n = 0;
+
+	if (!s->uv)
+		return s->nv > 0;
+	used = calloc((size_t)s->nv + 1, 1);
+	for (i = 0; i < (size_t)s->first[s->nf]; i++)
+		used[s->idx[i]] = 1;
+	for (i = 0; i < (size_t)s->nv; i++)
+		n += used[i];
+	free(used);
+	return n > 0 && n == (size_t)s->nv;
+}
+
+static void
+one(Parse *parse, const uint8_t *data, size_t n, size_t most)
+{
+	const size_t before = fuzz_live();
+	Soup s;
+	int e;
+
+	fuzz_mark();
+	e = parse(&s, data, n);
+	if (fuzz_peak() - before > most)
+		fprintf(stderr, "fuzz: %zu bytes for %zu, not %zu\n", fuzz_peak() - before, n, most);
+	fuzz_need(fuzz_peak() - before <= most, "too much memory");
+	if (e) {
+		refused(&s);
+	} else {
+		valid(&s);
+		if (!s.uv)
+			comesback(&s, MESHFILE_OFF, parse);
+		comesback(&s, MESHFILE_PLY, parse);
+		if (fitsobj(&s))
+			comesback(&s, MESHFILE_OBJ, parse);
+		if (!s.uv)
+			asstl(&s);
+		soup_free(&s);
+	}
+	fuzz_need(fuzz_live() == before, "memory is lost");
+}
+
+void
+fuzz_mesh(const uint8_t *data, size_t n, size_t most)
+{
+	one(meshfile_parse, data, n, most);
+	one(meshfile_parse_uv, data, n, most);
+}

@@ -1,0 +1,62 @@
+/* replay.c - gives a fuzz target the inputs named on the command line: files, or folders
+ * of files.  Prints how many; fails where the target stops, or without any. */
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "fuzz.h"
+
+static long inputs;
+
+static void
+file(const char *path, FILE *f)
+{
+	static uint8_t bytes[1 << 22];
+	size_t n = fread(bytes, 1, sizeof bytes, f);
+	uint8_t *exact = malloc(n + !n);        /* so that a sanitizer sees a step beyond */
+
+	fuzz_need(!ferror(f) && n < sizeof bytes && exact, path);
+	memcpy(exact, bytes, n);
+	LLVMFuzzerTestOneInput(exact, n);
+	free(exact);
+	inputs++;
+}
+
+static void
+folder(const char *path, DIR *d)
+{
+	char name[4096];
+	struct dirent *e;
+	FILE *f;
+
+	while ((e = readdir(d)))
+		if (e->d_name[0] != '.') {
+			snprintf(name, sizeof name, "%s/%s", path, e->d_name);
+			f = fopen(name, "rb");
+			fuzz_need(f != NULL, name);
+			file(name, f);
+			fclose(f);
+		}
+}
+
+int
+main(int argc, char *argv[])
+{
+	FILE *f;
+	DIR *d;
+	int i;
+
+	for (i = 1; i < argc; i++)
+		if ((d = opendir(argv[i]))) {
+			folder(argv[i], d);
+			closedir(d);
+		} else {
+			f = fopen(argv[i], "rb");
+			fuzz_need(f != NULL, argv[i]);
+			file(argv[i], f);
+			fclose(f);
+		}
+	printf("%ld inputs\n", inputs);
+	return inputs == 0;
+}

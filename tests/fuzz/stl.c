@@ -1,0 +1,30 @@
+/* stl.c - fuzz target: STL.  Text stays as it is; of what begins otherwise the length is
+ * cut to a whole number of triangles and the count is made to say it, since without that
+ * it is no binary STL.  What would be taken for gzip, which has its own target, is not. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "fuzz.h"
+
+enum { HEAD = 84, EACH = 50 };
+
+int
+LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
+{
+	size_t k = n < HEAD ? 0 : (n - HEAD)/EACH, i;
+	uint8_t *p;
+
+	if (n == 0 || data[0] != 0x1f)
+		fuzz_mesh(data, n, fuzz_meshbound(n));
+	if (n < HEAD || memchr("s \n", data[0], 3))
+		return 0;
+	n = HEAD + EACH*k;
+	p = malloc(n);
+	memcpy(p, data, n);
+	p[0] &= 0xe0;
+	for (i = 0; i < 4; i++)
+		p[80 + i] = k >> 8*i & 0xff;
+	fuzz_mesh(p, n, fuzz_meshbound(n));
+	free(p);
+	return 0;
+}
