@@ -23,9 +23,11 @@ enum { MESHFILE_OFF, MESHFILE_OBJ, MESHFILE_PLY, MESHFILE_STL };
  * and the place in s->err (a truncation names the record, "file ends in face 12 of
  * 100"); s then holds nothing to free.
  *
- * Takes at most 16 bytes for each byte given, whatever counts the file promises.  Gzip
- * data, known by their first bytes, are unpacked first; deflate reaches 1030:1, so what
- * they may unpack to is bounded by 1100 bytes for each byte given, and by 4 GiB. */
+ * Takes at most 1 KiB and 16 bytes for each byte given, whatever counts the file promises.
+ * Gzip data, known by their first bytes, are unpacked first; deflate reaches 1030:1, so what
+ * they may unpack to is bounded by 1100 bytes for each byte given, and by 4 GiB.  The 16 are
+ * then for each byte unpacked, beside the buffer that holds these (at most 3 for each while
+ * it grows, 4 for each byte given, 64 KiB for zlib). */
 int meshfile_parse(Soup *s, const void *bytes, size_t n);
 
 /* The same, with the (u,v) of every vertex in s->uv and the T they belong to in s->T, 0 if

@@ -57,6 +57,9 @@ int soup_vertex(Reader *r, const double x[3]);
 int soup_corner(Reader *r, long long i);
 int soup_face(Reader *r);
 
+/* Give back the room for faces and corners that was reserved and not used. */
+void soup_trim(Reader *r);
+
 /* Refuse a promise of more records than the bytes left could hold: 0 or MESH_EFORMAT.
  * room is how many those could be.  soup_cut: the file ends in this record. */
 int soup_promise(Reader *r, const char *what, long long count, size_t room);

@@ -186,6 +186,8 @@ ply_read(Reader *r)
 		for (c.i = 0; c.i < c.e->n; c.i++)
 			if ((e = record(&c)) != 0)
 				return e;
+		if (c.e->kind == PLY_STRIP)     /* reserved were 16 bytes for each byte left */
+			soup_trim(r);
 	}
 	if (p.format == PLY_ASCII)
 		while (r->p < r->end && strchr(" \t\r\n\v\f", *r->p) && *r->p)

@@ -67,6 +67,18 @@ soup_reserve(Reader *r, size_t nv, size_t nf, size_t ni)
 	return 0;
 }
 
+void
+soup_trim(Reader *r)
+{
+	const size_t nf = (size_t)r->s->nf + 1, ni = r->ni + 1;
+	int *p;
+
+	if (nf < r->capf && (p = realloc(r->s->first, nf * sizeof *p)))
+		r->s->first = p, r->capf = nf;
+	if (ni < r->capi && (p = realloc(r->s->idx, ni * sizeof *p)))
+		r->s->idx = p, r->capi = ni;
+}
+
 static int
 full(Reader *r, const char *what)
 {
