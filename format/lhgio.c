@@ -32,7 +32,7 @@ place(const LhgStream *s, const Lhg *g, char *to, size_t n)
 
 	if (s->frame < s->frames)
 		len = snprintf(to, n, "frame %d of %d: ", s->frame + 1, s->frames);
-	else if (g->frames > 1)
+	else if (g->frames > 1 && g->frames <= LHG_MAXFRAMES)
 		len = snprintf(to, n, "frame %d of %d: ", g->frame, g->frames);
 	else if (s->grids > 0)
 		len = snprintf(to, n, "grid %ld: ", s->grids + 1);

@@ -19,8 +19,8 @@ size_t fuzz_peak(void);
 void   fuzz_mark(void);
 
 /* Read the bytes as a mesh, with and without (u,v).  What is accepted is finite and in
- * range, and comes back bit by bit from every kind of file it is written to; a refusal has
- * one line and nothing to free; most bounds the memory of reading. */
+ * range, and comes back bit by bit from the kind of file it is written to, which n chooses; a
+ * refusal has one line and nothing to free; most bounds the memory of reading. */
 void fuzz_mesh(const uint8_t *data, size_t n, size_t most);
 
 /* 16 bytes for each of n, and a constant: meshfile.h. */

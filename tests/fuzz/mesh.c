@@ -125,6 +125,18 @@ fitsobj(const Soup *s)
 	return n > 0 && n == (size_t)s->nv;
 }
 
+/* (u,v) are kept by OBJ and PLY only. */
+static void
+writtenas(const Soup *s, int kind, Parse *parse)
+{
+	if (kind == MESHFILE_OBJ && !fitsobj(s))
+		kind = MESHFILE_PLY;
+	if (kind == MESHFILE_STL && !s->uv)
+		asstl(s);
+	else
+		comesback(s, s->uv && kind != MESHFILE_OBJ ? MESHFILE_PLY : kind, parse);
+}
+
 static void
 one(Parse *parse, const uint8_t *data, size_t n, size_t most)
 {
@@ -141,13 +153,7 @@ one(Parse *parse, const uint8_t *data, size_t n, size_t most)
 		refused(&s);
 	} else {
 		valid(&s);
-		if (!s.uv)
-			comesback(&s, MESHFILE_OFF, parse);
-		comesback(&s, MESHFILE_PLY, parse);
-		if (fitsobj(&s))
-			comesback(&s, MESHFILE_OBJ, parse);
-		if (!s.uv)
-			asstl(&s);
+		writtenas(&s, (int)(n % 4), parse);
 		soup_free(&s);
 	}
 	fuzz_need(fuzz_live() == before, "memory is lost");
