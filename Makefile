@@ -5,6 +5,7 @@
 #   make SANITIZE=address,undefined check      the same in build/address,undefined
 #   make install PREFIX=/usr/local DESTDIR=
 #   make bench                the numbers the project promises (minutes)
+#   make soak                 what make check takes a share of, whole (minutes)
 #   make fuzz FUZZ_SECONDS=60 hostile inputs, so long for each target (clang 14)
 
 include config.mk
@@ -83,6 +84,9 @@ check:
 	for t in $(FUZZ); do $(BUILD)/tests/fuzz/$$t tests/fuzz/corpus/$$t || exit 1; done
 	bats tests
 
+soak: tests
+	LHG_CHANGES=1000000 $(BUILD)/tests/test_lhgdamage
+
 # The targets under libFuzzer, with what they need of the library and no more.
 FUZZ_SECONDS = 60
 FUZZLIB := $(patsubst %.c,build/fuzz/%.o,$(wildcard format/*.c) $(addprefix lib/,gunzip.c mesh.c \
@@ -110,7 +114,7 @@ uninstall:
 clean:
 	rm -rf build
 
-.PHONY: all tests demo check fuzz fuzztargets bench install uninstall clean
+.PHONY: all tests demo check soak fuzz fuzztargets bench install uninstall clean
 .SECONDARY: $(OBJ)
 
 -include $(OBJ:.o=.d)

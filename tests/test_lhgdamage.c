@@ -1,0 +1,216 @@
+/* test_lhgdamage.c - random changes of a stream of a MiB: the grid that holds the first of
+ * them is refused, so no damaged number gets through, and none behind it.
+ *
+ * LHG_CHANGES is how many are tried: 20000, in make soak a million. */
+#include <math.h>
+
+#include "../format/lhg.h"
+#include "lhgbytes.h"
+
+enum { NU = 33, NV = 31, FRAMES = 64, MOST = 16 };
+
+static uint64_t seed = 1;
+
+static uint32_t
+rnd(void)
+{
+	seed = seed*6364136223846793005u + 1442695040888963407u;
+	return (uint32_t)(seed >> 33);
+}
+
+/* Smooth fields, as real ones are: their neighbours differ in few bits. */
+static void
+field(Lhg *g, const char *name, int support, int step)
+{
+	double *f = lhg_add(g, name, "length", support, step);
+	size_t k;
+
+	assert_non_null(f);
+	for (k = 0; k < g->chan[g->nchan-1].n; k++)
+		f[k] = sin(0.01*(double)k + g->frame + g->nchan);
+}
+
+static Bytes
+stream(int nu, int nv, int frames)
+{
+	Bytes b = NONE;
+	FILE *f = open_memstream(&b.p, &b.n);
+	LhgStream s;
+	Lhg g;
+	int m;
+
+	lhg_open(&s, f);
+	for (m = 1; m <= frames; m++) {
+		lhg_init(&g, nu, nv, 0.7);
+		g.frame = m;
+		g.frames = frames;
+		field(&g, "x", LHG_GRID, 0);
+		field(&g, "band.x", LHG_BORDER, 3);
+		field(&g, "H", LHG_GRID, 0);
+		field(&g, "start.x", LHG_LATTICE, 8);
+		assert_int_equal(lhg_setmeta(&g, "unit", "mm"), 0);
+		assert_int_equal(lhg_note(&g, "mesh2rect face.off"), 0);
+		assert_int_equal(lhg_write(&s, &g), 0);
+		lhg_free(&g);
+	}
+	fclose(f);
+	return b;
+}
+
+/* What a reader knows where each frame begins. */
+static void
+visit(FILE *f, LhgStream before[], long at[])
+{
+	LhgStream s;
+	Lhg g;
+	int m;
+
+	lhg_open(&s, f);
+	for (m = 0; m < FRAMES; m++) {
+		at[m] = ftell(f);
+		before[m] = s;
+		assert_int_equal(lhg_read(&s, &g), 1);
+		lhg_free(&g);
+	}
+	at[FRAMES] = ftell(f);
+	assert_int_equal(lhg_read(&s, &g), 0);
+}
+
+typedef struct Change {
+	size_t at;
+	char was;
+} Change;
+
+/* Up to MOST bytes become others: anywhere, or side by side, or by one bit each.  Returns
+ * how many. */
+static int
+change(Bytes b, Change c[MOST])
+{
+	const unsigned how = rnd() % 3;
+	const int n = 1 + (int)(rnd() % MOST);
+	const size_t from = rnd() % b.n;
+	int k;
+
+	for (k = 0; k < n; k++) {
+		c[k].at = how == 0 ? rnd() % b.n : (from + (size_t)k) % b.n;
+		c[k].was = b.p[c[k].at];
+		b.p[c[k].at] = (char)(how == 2 ? c[k].was ^ 1 << rnd() % 8 : (int)rnd());
+	}
+	return n;
+}
+
+/* The lowest byte that is another than it was, or b.n; a byte may have been changed twice. */
+static size_t
+first(Bytes b, Bytes good, const Change *c, int n)
+{
+	size_t low = b.n;
+	int k;
+
+	for (k = 0; k < n; k++)
+		if (c[k].at < low && b.p[c[k].at] != good.p[c[k].at])
+			low = c[k].at;
+	return low;
+}
+
+static long
+changes(void)
+{
+	const char *n = getenv("LHG_CHANGES");
+
+	return n ? strtol(n, NULL, 10) : 20000;
+}
+
+static void
+manyframes(void **state)
+{
+	Bytes b = stream(NU, NV, FRAMES), good = part(b, 0, b.n);
+	LhgStream before[FRAMES], s;
+	long at[FRAMES + 1], round, damaged = 0;
+	FILE *f = fmemopen(b.p, b.n, "rb");
+	Change c[MOST];
+	size_t low;
+	Lhg g;
+	int n, m;
+
+	(void)state;
+	assert_true(b.n >= 1 << 20);
+	visit(f, before, at);
+	for (round = 0; round < changes(); round++) {
+		n = change(b, c);
+		if ((low = first(b, good, c, n)) < b.n) {
+			for (m = 0; at[m+1] <= (long)low; m++)
+				continue;
+			s = before[m];
+			assert_int_equal(fseek(f, at[m], SEEK_SET), 0);
+			if (lhg_read(&s, &g) >= 0)
+				fail_msg("change %ld: frame %d passes with byte %zu changed", round, m + 1, low);
+			damaged++;
+		}
+		while (n-- > 0)
+			b.p[c[n].at] = c[n].was;
+	}
+	print_message("%ld damaged streams of %zu bytes\n", damaged, b.n);
+	assert_memory_equal(b.p, good.p, b.n);
+	assert_true(damaged > round/2);
+	fclose(f);
+	free(b.p);
+	free(good.p);
+}
+
+/* One grid of a MiB, read from its beginning: a thousandth as often. */
+static void
+onegrid(void **state)
+{
+	Bytes b = stream(260, 250, 1), good = part(b, 0, b.n);
+	FILE *f = fmemopen(b.p, b.n, "rb");
+	LhgStream s;
+	Change c[MOST];
+	long round;
+	Lhg g;
+	int n;
+
+	(void)state;
+	assert_true(b.n >= 1 << 20);
+	for (round = 0; round < changes()/1000; round++) {
+		n = change(b, c);
+		rewind(f);
+		lhg_open(&s, f);
+		if (first(b, good, c, n) < b.n)
+			assert_true(lhg_read(&s, &g) < 0);
+		while (n-- > 0)
+			b.p[c[n].at] = c[n].was;
+	}
+	fclose(f);
+	free(b.p);
+	free(good.p);
+}
+
+/* Cut after any byte; make check takes every 61st.  Small streams: test_lhgcorpus. */
+static void
+cut(void **state)
+{
+	Bytes b = stream(64, 48, 1);
+	size_t n, step = changes() < 1000000 ? 61 : 1;
+	LhgStream s;
+	FILE *f;
+	Lhg g;
+
+	(void)state;
+	for (n = 1; n < b.n; n += step) {
+		f = fmemopen(b.p, n, "rb");
+		lhg_open(&s, f);
+		assert_int_equal(lhg_read(&s, &g), LHG_ESHORT);
+		fclose(f);
+	}
+	free(b.p);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(manyframes), cmocka_unit_test(onegrid), cmocka_unit_test(cut)
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
