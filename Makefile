@@ -47,10 +47,12 @@ $(BIN): $(BUILD)/bin/%: $(BUILD)/cmd/%.o $(SHARED) $(LIB)
 	$(CXX) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 $(TESTBIN): %: %.o $(LIB)
-	$(CXX) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LDLIBS) -lcmocka
+	$(CXX) $(OPENMP) $(LDFLAGS) $(WRAP) -o $@ $^ $(LDLIBS) -lcmocka
+
+$(BUILD)/tests/test_lhgfault $(FUZZBIN): WRAP = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 
 $(FUZZBIN): %: %.o $(FUZZMAIN) $(FUZZOBJ) $(LIB)
-	$(CXX) $(LDFLAGS) -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free -o $@ $^ $(LDLIBS)
+	$(CXX) $(LDFLAGS) $(WRAP) -o $@ $^ $(LDLIBS)
 
 $(LIBOBJ): ALL_CFLAGS += $(COVER)
 
@@ -81,7 +83,7 @@ check:
 	scripts/deps --tests
 	$(MAKE) all tests
 	for t in $(UNIT); do $$t || exit 1; done
-	for t in $(FUZZ); do $(BUILD)/tests/fuzz/$$t tests/fuzz/corpus/$$t || exit 1; done
+	for t in $(FUZZ); do $(BUILD)/tests/fuzz/$$t tests/fuzz/corpus/$$t tests/lhg/good tests/lhg/bad || exit 1; done
 	bats tests
 
 soak: tests

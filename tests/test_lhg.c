@@ -480,7 +480,7 @@ static const char *const beyond[] = {
 	B "meta a b\nmeta a c\n", B "meta a b\nmeta ab c\nmeta a b\n", B "meta " S32 S32 " b\n",
 	B "meta a \x01\n", B "meta a b\x7f\n", B "meta a \xff\n", B "meta a \x1b[2J\n", B "meta a b\r\n",
 	B "meta a \xc2\x85\n", B "meta a \xc0\xaf\n", B "meta a \xed\xa0\x80\n", B "meta a \xf4\x90\x80\x80\n",
-	B "meta a \xe2\x82\n", B "meta a \x80\n", B "meta a \xf0\x80\x80\x80\n",
+	B "meta a \xe2\x82\n", B "meta a \xe2\x82(\n", B "meta a \x80\n", B "meta a \xf0\x80\x80\x80\n",
 	B "history \n", B "history  x\n", B "history x \n", B "history x\ty\n", B "history \xc3\n"
 };
 
@@ -678,6 +678,10 @@ badgrids(void **state)
 	for (k = 0; k < 22; k++)
 		assert_int_equal(lhg_note(&g, line), 0);
 	unwritten(&g, LHG_ELIMIT);
+	sample(&g, 5, 4, 1, 1);
+	for (k = 0; k < 40; k++)
+		assert_int_equal(lhg_note(&g, line), 0);
+	unwritten(&g, LHG_ELIMIT);
 }
 
 static void
@@ -853,6 +857,7 @@ metadata(void **state)
 	assert_string_equal(lhg_getmeta(&g, "ab", v, sizeof v), "long va");
 	assert_string_equal(lhg_getmeta(&g, "b", v, sizeof v), "4");
 	assert_null(lhg_getmeta(&g, "long", v, sizeof v));
+	assert_null(lhg_getmeta(&g, "b", v, 0));
 	assert_int_equal(lhg_setmeta(&g, "", "x"), LHG_ELIMIT);
 	assert_int_equal(lhg_setmeta(&g, "a b", "x"), LHG_ELIMIT);
 	assert_int_equal(lhg_setmeta(&g, S32 S32, "x"), LHG_ELIMIT);
