@@ -185,6 +185,38 @@ onegrid(void **state)
 	free(good.p);
 }
 
+/* LHG.md 8: up to 32 bits side by side, from every bit of a small stream on, in make check
+ * every third. */
+static void
+bursts(void **state)
+{
+	Bytes b = stream(9, 8, 2);
+	FILE *f = fmemopen(b.p, b.n, "rb");
+	uint64_t turn;
+	size_t bit, k;
+	LhgStream s;
+	Lhg g;
+	int round, e;
+
+	(void)state;
+	for (bit = 0; bit + 40 < 8*b.n; bit += changes() < 1000000 ? 3 : 1)
+		for (round = 0; round < 4; round++) {
+			turn = (uint64_t)(rnd() << 1 | 1) << bit % 8;
+			for (k = 0; k < 5; k++)
+				b.p[bit/8 + k] ^= (char)(turn >> 8*k);
+			rewind(f);
+			lhg_open(&s, f);
+			while ((e = lhg_read(&s, &g)) == 1)
+				lhg_free(&g);
+			if (e == 0)
+				fail_msg("%llx at bit %zu passes", (unsigned long long)turn, bit);
+			for (k = 0; k < 5; k++)
+				b.p[bit/8 + k] ^= (char)(turn >> 8*k);
+		}
+	fclose(f);
+	free(b.p);
+}
+
 /* Cut after any byte; make check takes every 61st.  Small streams: test_lhgcorpus. */
 static void
 cut(void **state)
@@ -209,7 +241,8 @@ int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(manyframes), cmocka_unit_test(onegrid), cmocka_unit_test(cut)
+		cmocka_unit_test(manyframes), cmocka_unit_test(onegrid), cmocka_unit_test(bursts),
+		cmocka_unit_test(cut)
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
