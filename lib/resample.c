@@ -19,14 +19,12 @@ axis_free(Axis *a)
 	free(a->weight);
 }
 
+/* To be freed even if it fails. */
 static int
 axis_init(Axis *a, int n, int most)
 {
 	*a = (Axis){ n, most, malloc(n*sizeof(int)), malloc(n*sizeof(int)), malloc((size_t)n*most*sizeof(double)) };
-	if (a->first && a->count && a->weight)
-		return 0;
-	axis_free(a);
-	return RESAMPLE_ENOMEM;
+	return a->first && a->count && a->weight ? 0 : RESAMPLE_ENOMEM;
 }
 
 /* Lagrange's polynomial through up to four nodes around each place. */
