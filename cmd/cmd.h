@@ -97,6 +97,16 @@ double *cmd_add(Lhg *g, const char *name, const char *unit, int support, int ste
 /* Set a datum of the metadata, as printf would write it. */
 void cmd_meta(Lhg *g, const char *key, const char *fmt, ...);
 
+/* Text written to f, which is bytes[0..n-1] once it is closed; free them.  Both die without
+ * memory: open_memstream forgets what it had no memory for. */
+typedef struct CmdText {
+	FILE  *f;
+	char  *bytes;
+	size_t n, room;
+} CmdText;
+void cmd_text_open(CmdText *t);
+void cmd_text_close(CmdText *t);
+
 /* malloc or die, saying how much was wanted. */
 void *cmd_alloc(size_t n, size_t size);
 

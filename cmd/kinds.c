@@ -12,14 +12,12 @@ kinds_manual(const char *head)
 	const SynthKind *k;
 	const SynthPar *q;
 	const char *line, *end;
-	char *text = NULL;
-	size_t size;
-	FILE *f = open_memstream(&text, &size);
+	CmdText t;
+	FILE *f;
 	int i;
 
-	if (!f)
-		die("no memory");
-	fputs(head, f);
+	cmd_text_open(&t);
+	fputs(head, f = t.f);
 	for (i = 0; (k = synth_kind(i)); i++) {
 		fprintf(f, "  %s", k->name);
 		for (q = k->par; q->name; q++)
@@ -28,9 +26,9 @@ kinds_manual(const char *head)
 			fprintf(f, "\n      %.*s", (int)(end - line), line);
 		fputc('\n', f);
 	}
-	if (fclose(f))
-		die("no memory");
-	return text;
+	putc('\0', f);
+	cmd_text_close(&t);
+	return t.bytes;
 }
 
 void

@@ -33,10 +33,8 @@ info(FILE *f, const char *path, int json)
 int
 main(int argc, char *argv[])
 {
-	char *bytes = NULL;
 	int opt, json = 0;
-	size_t n;
-	FILE *f;
+	CmdText t;
 
 	cmd_begin("lhinfo", text);
 	while ((opt = cmd_getopt(argc, argv, "", longopt)) != -1)
@@ -44,16 +42,14 @@ main(int argc, char *argv[])
 			json = 1;
 	cmd_operands(argc, argv, 0, argc);
 
-	if (!(f = open_memstream(&bytes, &n)))
-		die("no memory");
+	cmd_text_open(&t);
 	if (optind == argc)
-		info(f, NULL, json);
+		info(t.f, NULL, json);
 	for (; optind < argc; optind++)
-		info(f, argv[optind], json);
-	if (fclose(f))
-		die("no memory");
-	cmd_emit(NULL, bytes, n);
+		info(t.f, argv[optind], json);
+	cmd_text_close(&t);
+	cmd_emit(NULL, t.bytes, t.n);
 
-	free(bytes);
+	free(t.bytes);
 	return cmd_end();
 }

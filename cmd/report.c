@@ -2,7 +2,6 @@
 #include <float.h>
 #include <stdlib.h>
 
-#include "cmd.h"
 #include "report.h"
 
 static const char *const name[] = { "area_a", "area_b", "max", "mean", "max_rel", "mean_rel",
@@ -13,8 +12,7 @@ void
 report_begin(Report *r, int json, int many)
 {
 	*r = (Report){ .json = json, .many = many };
-	if (!(r->f = open_memstream(&r->bytes, &r->n)))
-		die("no memory");
+	cmd_text_open(&r->text);
 }
 
 static void
@@ -34,15 +32,15 @@ object(const Report *r, const double value[COMPARE_N])
 	int i;
 
 	if (r->many) {
-		fprintf(r->f, "{ \"frame\": %ld", r->count);
+		fprintf(r->text.f, "{ \"frame\": %ld", r->count);
 		sep = ", ";
 	}
 	for (i = 0; i < COMPARE_N; i++)
 		if (value[i] >= 0) {
-			fprintf(r->f, "%s\"%s\": %.17g", sep, name[i], value[i]);
+			fprintf(r->text.f, "%s\"%s\": %.17g", sep, name[i], value[i]);
 			sep = ", ";
 		}
-	fputs(" }\n", r->f);
+	fputs(" }\n", r->text.f);
 }
 
 static int
@@ -59,19 +57,19 @@ row(const Report *r, const Compare *c, const double value[COMPARE_N])
 	int i;
 
 	if (r->count == 1) {
-		fputs("frame", r->f);
+		fputs("frame", r->text.f);
 		for (i = 0; i < COMPARE_N; i++)
 			if (asked(c, i))
-				fprintf(r->f, "\t%s", name[i]);
-		fputc('\n', r->f);
+				fprintf(r->text.f, "\t%s", name[i]);
+		fputc('\n', r->text.f);
 	}
-	fprintf(r->f, "%ld", r->count);
+	fprintf(r->text.f, "%ld", r->count);
 	for (i = 0; i < COMPARE_N; i++)
 		if (asked(c, i) && value[i] >= 0)
-			fprintf(r->f, "\t%.9g", value[i]);
+			fprintf(r->text.f, "\t%.9g", value[i]);
 		else if (asked(c, i))
-			fputs("\t-", r->f);
-	fputc('\n', r->f);
+			fputs("\t-", r->text.f);
+	fputc('\n', r->text.f);
 }
 
 void
@@ -88,14 +86,13 @@ report_add(Report *r, const Compare *c, const double value[COMPARE_N])
 	else if (r->many)
 		row(r, c, value);
 	else
-		lines(r->f, value);
+		lines(r->text.f, value);
 }
 
 void
 report_write(Report *r)
 {
-	if (fclose(r->f))
-		die("no memory");
-	cmd_emit(NULL, r->bytes, r->n);
-	free(r->bytes);
+	cmd_text_close(&r->text);
+	cmd_emit(NULL, r->text.bytes, r->text.n);
+	free(r->text.bytes);
 }

@@ -2,18 +2,15 @@
 #ifndef CMD_REPORT_H
 #define CMD_REPORT_H
 
-#include <stdio.h>
-
+#include "cmd.h"
 #include "compare.h"
 
 /* Of one pair of surfaces: lines "name value", or one JSON object.  Of many: a table, or a
  * JSON object a line, that begin with the number of the pair. */
 typedef struct Report {
-	int   json, many;
-	long  count;            /* pairs told */
-	FILE *f;                /* of bytes */
-	char *bytes;
-	size_t n;
+	int     json, many;
+	long    count;          /* pairs told */
+	CmdText text;
 } Report;
 
 void report_begin(Report *r, int json, int many);

@@ -29,24 +29,21 @@ spectable_write(const char *file, const CmdInput *in, const Lhg *g, const Scales
 	Spectrum space = { s->basis, { g->nu, g->nv, g->T } };
 	double *lambda = spectrum_of(space, in, g, "lambda", s->log), *H = spectrum_of(space, in, g, "H", 0);
 	int m, n, columns = spectrum_columns(space);
-	char *bytes = NULL;
-	size_t q, size;
-	FILE *f;
+	CmdText t;
+	size_t q;
 
-	if (!(f = open_memstream(&bytes, &size)))
-		die("no memory for the table of %zu coefficients", spectrum_size(space));
-	fputs("m\tn\twave\tlambda\tH\n", f);
+	cmd_text_open(&t);
+	fputs("m\tn\twave\tlambda\tH\n", t.f);
 	for (q = 0; q < spectrum_size(space); q++) {
 		m = q%columns;
 		n = q/columns;
 		if (s->basis == SPECTRUM_DFT && 2*n > g->nv)
 			n -= g->nv;
-		fprintf(f, "%d\t%d\t%.6g\t%.6g\t%.6g\n", m, n, spectrum_wave(space, q), lambda[q], H[q]);
+		fprintf(t.f, "%d\t%d\t%.6g\t%.6g\t%.6g\n", m, n, spectrum_wave(space, q), lambda[q], H[q]);
 	}
-	if (fclose(f))
-		die("no memory for the table of %zu coefficients", spectrum_size(space));
-	cmd_emit(file, bytes, size);
-	free(bytes);
+	cmd_text_close(&t);
+	cmd_emit(file, t.bytes, t.n);
+	free(t.bytes);
 	free(lambda);
 	free(H);
 }
