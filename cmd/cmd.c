@@ -1,5 +1,6 @@
 /* cmd.c - messages and options, the same for every command. */
 #include <errno.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,6 +28,9 @@ cmd_begin(const char *name, const char *usage)
 	cmd.usage = usage;
 	snprintf(cmd.step, sizeof cmd.step, "%s", name);
 	clock_gettime(CLOCK_MONOTONIC, &cmd.began);
+	if (descriptor_fill())
+		_exit(1);
+	signal(SIGXFSZ, SIG_IGN);       /* a file too large is an error of write */
 }
 
 int

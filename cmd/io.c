@@ -17,12 +17,14 @@
  * its own, and renamed when whole; temp is that name, "" when there is none. */
 typedef struct Out {
 	FILE *f;
+	int   fd;
 	char  path[PATH_MAX], temp[PATH_MAX + 16];
 } Out;
 
 static struct {
 	Out         out;
 	LhgStream   grids;              /* on out.f, once a grid is written */
+	FILE       *in;                 /* stdin, once it is read */
 } io;
 
 /* ---- output ---------------------------------------------------------- */
@@ -36,6 +38,7 @@ cmd_drop_output(void)
 	io.out.temp[0] = '\0';
 }
 
+/* With all signals held back until it returns: then this one ends the process. */
 static void
 on_signal(int sig)
 {
@@ -59,25 +62,50 @@ resolve(Out *o, const char *path)
 	free(real);
 }
 
+/* The signals that end a process from outside: those that are not ignored also remove
+ * the file. */
+static void
+catch_signals(void)
+{
+	static const int sig[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU };
+	struct sigaction act = { .sa_handler = on_signal }, was;
+	size_t i;
+
+	sigfillset(&act.sa_mask);
+	for (i = 0; i < sizeof sig/sizeof *sig; i++)
+		if (!sigaction(sig[i], NULL, &was) && was.sa_handler != SIG_IGN)
+			sigaction(sig[i], &act, NULL);
+}
+
+/* mkstemp, in whose midst no signal comes: it would find half a name. */
+static int
+open_temp(char *name)
+{
+	sigset_t all, was;
+	int fd;
+
+	sigfillset(&all);
+	sigprocmask(SIG_SETMASK, &all, &was);
+	fd = mkstemp(name);
+	if (fd < 0)
+		name[0] = '\0';
+	else
+		catch_signals();
+	sigprocmask(SIG_SETMASK, &was, NULL);
+	return fd;
+}
+
 /* A new file beside o->path with the permissions a plain open would give. */
 static void
 open_beside(Out *o)
 {
 	const char *slash = strrchr(o->path, '/');
-	int dir = slash ? (int)(slash + 1 - o->path) : 0, fd;
+	int dir = slash ? (int)(slash + 1 - o->path) : 0;
 	mode_t mask = umask(0);
 
 	umask(mask);
 	snprintf(o->temp, sizeof o->temp, "%.*s.%s.XXXXXX", dir, o->path, o->path + dir);
-	fd = mkstemp(o->temp);
-	if (fd < 0) {
-		o->temp[0] = '\0';
-		die("%s: %s", o->path, strerror(errno));
-	}
-	signal(SIGINT, on_signal);
-	signal(SIGTERM, on_signal);
-	signal(SIGHUP, on_signal);
-	if (fchmod(fd, 0666 & ~mask) || !(o->f = fdopen(fd, "wb")))
+	if ((o->fd = open_temp(o->temp)) < 0 || fchmod(o->fd, 0666 & ~mask))
 		die("%s: %s", o->path, strerror(errno));
 }
 
@@ -88,19 +116,19 @@ out_open(Out *o, const char *path)
 	struct stat st;
 
 	o->temp[0] = '\0';
-	if (!path) {
-		strcpy(o->path, "stdout");
-		o->f = stdout;
-		return;
-	}
-	resolve(o, path);
-	if (stat(o->path, &st) == 0 && S_ISDIR(st.st_mode))
-		die("%s: %s", path, strerror(EISDIR));
-	if (stat(o->path, &st) == 0 && !S_ISREG(st.st_mode)) {
-		if (!(o->f = fopen(o->path, "wb")))
+	o->fd = STDOUT_FILENO;
+	if (path) {
+		resolve(o, path);
+		if (stat(o->path, &st) == 0 && S_ISDIR(st.st_mode))
+			die("%s: %s", path, strerror(EISDIR));
+		if (stat(o->path, &st) != 0 || S_ISREG(st.st_mode))
+			open_beside(o);
+		else if ((o->fd = open(o->path, O_WRONLY)) < 0)
 			die("%s: %s", path, strerror(errno));
 	} else
-		open_beside(o);
+		strcpy(o->path, "stdout");
+	if (!(o->f = descriptor_stream(o->fd, "wb")))
+		die("%s: %s", o->path, strerror(errno));
 }
 
 static void
@@ -109,7 +137,7 @@ out_close(Out *o)
 	int bad = fflush(o->f) == EOF || ferror(o->f);
 
 	if (!bad && o->temp[0])
-		bad = fsync(fileno(o->f)) != 0;
+		bad = fsync(o->fd) != 0;
 	bad |= fclose(o->f) == EOF;
 	o->f = NULL;
 	if (bad || (o->temp[0] && rename(o->temp, o->path)))
@@ -164,11 +192,22 @@ cmd_name_of(const char *path)
 static FILE *
 in_open(const char *path)
 {
-	FILE *f = cmd_name_of(path) == path ? fopen(path, "rb") : stdin;
+	int file = cmd_name_of(path) == path, fd = file ? open(path, O_RDONLY) : STDIN_FILENO;
+	FILE *f = !file && io.in ? io.in : fd < 0 ? NULL : descriptor_stream(fd, "rb");
 
 	if (!f)
-		die("%s: %s", path, strerror(errno));
+		die("%s: %s", cmd_name_of(path), strerror(errno));
+	if (!file)
+		io.in = f;
 	return f;
+}
+
+/* stdin stays open for whoever asks again. */
+static void
+in_close(FILE *f)
+{
+	if (f != io.in)
+		fclose(f);
 }
 
 /* All of f behind the *n bytes at head, which are taken already; closes f. */
@@ -187,8 +226,7 @@ slurp(FILE *f, const char *name, const char *head, size_t *n)
 	}
 	if (ferror(f))
 		die("%s: %s", name, strerror(errno));
-	if (f != stdin)
-		fclose(f);
+	in_close(f);
 	return s;
 }
 
@@ -229,8 +267,8 @@ cmd_read(CmdInput *in, Lhg *g)
 
 	if (got < 0)
 		die("%s: %s", in->name, in->s.err);
-	if (!got && in->s.f != stdin)
-		fclose(in->s.f);
+	if (!got)
+		in_close(in->s.f);
 	return got;
 }
 

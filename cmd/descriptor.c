@@ -1,0 +1,73 @@
+/* descriptor.c - file descriptors as streams that nothing but an error cuts short. */
+#define _GNU_SOURCE             /* fopencookie */
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <stdint.h>
+#include <unistd.h>
+
+#include "private.h"
+
+/* After a call that moved nothing: whether to make it again.  A descriptor that another
+ * process made non-blocking is waited for. */
+static int
+again(int fd, short what)
+{
+	struct pollfd p = { .fd = fd, .events = what };
+
+	if (errno == EAGAIN || errno == EWOULDBLOCK)
+		return poll(&p, 1, -1) >= 0 || errno == EINTR;
+	return errno == EINTR;
+}
+
+static ssize_t
+take(void *cookie, char *bytes, size_t n)
+{
+	int fd = (int)(intptr_t)cookie;
+	ssize_t got;
+
+	while ((got = read(fd, bytes, n)) < 0 && again(fd, POLLIN))
+		;
+	return got;
+}
+
+/* Less than n means an error to stdio. */
+static ssize_t
+give(void *cookie, const char *bytes, size_t n)
+{
+	int fd = (int)(intptr_t)cookie;
+	size_t gone = 0;
+	ssize_t k;
+
+	while (gone < n)
+		if ((k = write(fd, bytes + gone, n - gone)) > 0)
+			gone += (size_t)k;
+		else if (k == 0 || !again(fd, POLLOUT))
+			break;
+	return (ssize_t)gone;
+}
+
+static int
+end(void *cookie)
+{
+	return close((int)(intptr_t)cookie);
+}
+
+FILE *
+descriptor_stream(int fd, const char *mode)
+{
+	return fopencookie((void *)(intptr_t)fd, mode, (cookie_io_functions_t){ take, give, NULL, end });
+}
+
+/* Else a file opened later would stand there, and take what is said to stdout or stderr. */
+int
+descriptor_fill(void)
+{
+	static const int mode[3] = { O_WRONLY, O_RDONLY, O_RDWR };      /* 0, 1: of no use, so an error */
+	int fd;
+
+	for (fd = 0; fd < 3; fd++)
+		if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", mode[fd]) != fd)
+			return -1;
+	return 0;
+}
