@@ -27,7 +27,7 @@ endif
 LIBOBJ   := $(patsubst %,$(BUILD)/%.o,$(basename $(wildcard format/*.c lib/*.c lib/*.cc)))
 SHARED   := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(CMD:%=cmd/%.c),$(wildcard cmd/*.c)))
 BIN      := $(CMD:%=$(BUILD)/bin/%)
-TESTSRC  := $(wildcard tests/*.c)
+TESTSRC  := $(filter-out tests/fault.c,$(wildcard tests/*.c))
 TESTBIN  := $(TESTSRC:%.c=$(BUILD)/%)
 UNIT     := $(filter $(BUILD)/tests/test_%,$(TESTBIN))
 FUZZ     := lhg lhg_nocrc off obj ply stl gzip
@@ -35,16 +35,26 @@ FUZZBIN  := $(FUZZ:%=$(BUILD)/tests/fuzz/%)
 FUZZMAIN := $(BUILD)/tests/fuzz/replay.o
 FUZZOBJ  := $(BUILD)/tests/fuzz/memory.o $(BUILD)/tests/fuzz/mesh.o
 OBJ      := $(LIBOBJ) $(SHARED) $(CMD:%=$(BUILD)/cmd/%.o) $(TESTBIN:%=%.o) \
-            $(FUZZBIN:%=%.o) $(FUZZMAIN) $(FUZZOBJ)
+            $(FUZZBIN:%=%.o) $(FUZZMAIN) $(FUZZOBJ) $(BUILD)/tests/fault.o
 LIB      := $(BUILD)/liblhgrid.a
+
+# The commands once more, with calls that fail on demand.
+FAULTY   := $(CMD:%=$(BUILD)/faulty/%)
+FAULT    := $(BUILD)/tests/fault.o
+WRAPPED  := malloc calloc realloc free aligned_alloc strdup fftw_alloc_real fftw_free _Znwm _Znam \
+	fopencookie fmemopen read write close fsync rename mkstemp fchmod
 
 all: $(BIN)
 
-tests: $(TESTBIN) $(FUZZBIN)
+tests: $(TESTBIN) $(FUZZBIN) $(FAULTY)
 
 $(BIN): $(BUILD)/bin/%: $(BUILD)/cmd/%.o $(SHARED) $(LIB)
 	@mkdir -p $(@D)
 	$(CXX) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
+$(FAULTY): $(BUILD)/faulty/%: $(BUILD)/cmd/%.o $(SHARED) $(LIB) $(FAULT)
+	@mkdir -p $(@D)
+	$(CXX) $(OPENMP) $(LDFLAGS) $(WRAPPED:%=-Wl,--wrap=%) -o $@ $^ $(LDLIBS) -lsuitesparseconfig
 
 $(TESTBIN): %: %.o $(LIB)
 	$(CXX) $(OPENMP) $(LDFLAGS) $(WRAP) -o $@ $^ $(LDLIBS) -lcmocka

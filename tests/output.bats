@@ -66,24 +66,172 @@ setup_file() {
 	done
 }
 
-@test "a closed pipe ends a stage quietly" {
-	run bash -c 'mesh2rect -n 256 '"$tmp/cap.off"' 2>'"$tmp/err"' | head -c 100 >/dev/null; echo ${PIPESTATUS[0]}'
-	[ "$output" = 141 ]
-	[ ! -s "$tmp/err" ]
+@test "a small file system or a file size limit that is full is an error, and leaves no file" {
+	mkdir "$tmp/small"
+	if mount -t tmpfs -o size=64k tmpfs "$tmp/small" 2>/dev/null; then
+		echo old >"$tmp/small/x"
+		code=0
+		try 1 'small/x: .*No space left on device' /dev/null mesh2rect -n 128 "$tmp/cap.off" -o "$tmp/small/x" || code=1
+		[ "$(cat "$tmp/small/x")$(ls -A "$tmp/small")" = oldx ] || code=1
+		umount "$tmp/small"
+		[ $code = 0 ]
+	fi
+	echo old >"$tmp/small/x"
+	(ulimit -f 64 && try 1 'small/x: .*File too large' /dev/null mesh2rect -n 128 "$tmp/cap.off" -o "$tmp/small/x")
+	[ "$(cat "$tmp/small/x")" = old ]
+	[ "$(ls -A "$tmp/small")" = x ]
+	code=0
+	(ulimit -f 64 && mesh2rect -n 128 "$tmp/cap.off" >"$tmp/cut" 2>"$tmp/err") || code=$?
+	[ $code = 1 ]
+	grep -q '^mesh2rect: stdout: .*File too large$' "$tmp/err"
+	try 1 'stdin: ' "$tmp/cut" grid2lh
 }
 
-@test "SIGTERM leaves no temporary file" {
+@test "stdout, stdin or stderr closed: one line or none, and no other file takes the words" {
+	local c
+	for c in "mesh2rect -n 8 $tmp/cap.off" "grid2lh $tmp/phi" "lhfft -K 1 $tmp/lh" "lh2grid $tmp/lh" \
+	    "grid2mesh $tmp/phi" "lhinterp -t 0.5 $tmp/lh $tmp/lh" "lhinfo $tmp/lh" \
+	    "lhdiff $tmp/phi $tmp/phi" "mkmesh -n 100 cap" "mkmesh --help" "lhfft --version"; do
+		code=0
+		$c >&- 2>"$tmp/err" || code=$?
+		[ $code = 1 ] || { echo "$c: exit $code"; return 1; }
+		[ "$(wc -l <"$tmp/err")" = 1 ]
+		grep -q ': stdout: .*Bad file descriptor$' "$tmp/err" || { echo "$c"; return 1; }
+	done
+	for c in mesh2rect grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo; do
+		code=0
+		$c <&- >"$tmp/out" 2>"$tmp/err" || code=$?
+		[ $code = 1 ]
+		grep -q ': stdin: .*Bad file descriptor$' "$tmp/err" || { echo "$c"; return 1; }
+		[ ! -s "$tmp/out" ]
+	done
+	mesh2rect -n 8 "$tmp/cap.off" -o "$tmp/open"
+	mesh2rect -v -n 8 "$tmp/cap.off" -o "$tmp/closed" <&- >&- 2>&-
+	cmp "$tmp/open" "$tmp/closed"
+}
+
+@test "a closed pipe ends a stage quietly, and with SIGPIPE ignored in one line" {
+	local c
+	for c in "mesh2rect -n 128 $tmp/cap.off" "mkmesh -n 20000 cap" "lhinterp -n 50 $tmp/lh $tmp/lh" \
+	    "grid2mesh $tmp/large" "grid2lh $tmp/large" "lhinfo $(yes "$tmp/lh" | head -300 | tr '\n' ' ')"; do
+		[ -e "$tmp/large" ] || mesh2rect -n 128 "$tmp/cap.off" -o "$tmp/large"
+		run bash -c "$c 2>$tmp/err | head -c 100 >/dev/null; echo \${PIPESTATUS[0]}"
+		[ "$output" = 141 ] || { echo "$c: $output"; return 1; }
+		[ ! -s "$tmp/err" ]
+		run bash -c "trap '' PIPE; { $c 2>$tmp/err; echo \$? >$tmp/code; } | head -c 100 >/dev/null"
+		[ "$(cat "$tmp/code")" = 1 ] || { echo "$c: $(cat "$tmp/code")"; return 1; }
+		[ "$(wc -l <"$tmp/err")" = 1 ]
+		grep -q ': stdout: .*Broken pipe$' "$tmp/err"
+	done
+}
+
+# faults CALL..: of a command linked with tests/fault.c, see tests/faults.c.
+faults() {
+	local verdict=$1 call=$2 error=$3 command=$4
+	shift 4
+	ASAN_OPTIONS=detect_leaks=0 OMP_NUM_THREADS=1 \
+		"$BUILD/tests/faults" "$verdict" "$call" "$error" 20 "$BUILD/faulty/$command" "$@"
+}
+
+@test "calls interrupted, put off or cut to one byte change no byte" {
+	local EINTR=4 EAGAIN=11 call n e
+	grid2lh <"$tmp/phi" >"$tmp/same"
+	for call in read write; do
+		faults ignored $call $EINTR grid2lh <"$tmp/phi"
+		faults ignored $call $EAGAIN grid2lh <"$tmp/phi"
+		faults ignored $call $EINTR mesh2rect -n 4 <"$tmp/cap.off"
+		for n in odd 1+; do
+			for e in $([ $n = odd ] && echo $EINTR $EAGAIN) short; do
+				FAULT="$call $n $e" "$BUILD/faulty/grid2lh" <"$tmp/phi" | cmp "$tmp/same"
+				FAULT="$call $n $e" "$BUILD/faulty/mkmesh" -n 200 cap | cmp "$tmp/cap.off"
+			done
+		done
+	done
+	# a real pipe that does not block, with a slow reader
+	/usr/bin/python3 - grid2lh "$tmp/phi" >"$tmp/out" <<-'END'
+		import os, subprocess, sys, time
+		r, w = os.pipe()
+		os.set_blocking(w, False)
+		p = subprocess.Popen(sys.argv[1:], stdout=w)
+		os.close(w)
+		while True:
+		    b = os.read(r, 3000)
+		    if not b:
+		        break
+		    time.sleep(0.001)
+		    sys.stdout.buffer.write(b)
+		sys.exit(p.wait())
+	END
+	grid2lh "$tmp/phi" | cmp "$tmp/out"
+}
+
+@test "every failing read, write, fsync, close, rename is an error, and leaves no file" {
+	local EIO=5 ENOSPC=28 call
+	mkdir "$tmp/i"
+	faults refused read $EIO grid2lh <"$tmp/phi"
+	faults refused read $EIO mesh2rect -n 4 <"$tmp/cap.off"
+	faults refused read $EIO lhinfo "$tmp/lh"
+	faults refused write $ENOSPC grid2lh <"$tmp/phi"
+	faults refused write $ENOSPC mkmesh -n 200 cap
+	for call in write fsync rename mkstemp fchmod; do
+		echo old >"$tmp/i/x"
+		for n in $(seq 1 8); do
+			code=0
+			FAULT="$call $n $EIO" "$BUILD/faulty/grid2lh" "$tmp/phi" -o "$tmp/i/x" 2>"$tmp/err" || code=$?
+			[ $code = 0 ] && break
+			[ $code = 1 ]
+			[ "$(wc -l <"$tmp/err")" = 1 ]
+			grep -q 'x: .*Input/output error' "$tmp/err"
+			[ "$(cat "$tmp/i/x")" = old ]
+			[ "$(ls -A "$tmp/i")" = x ]
+		done
+		[ "$n" -gt 1 ]                  # it was called, and the last run had no fault
+		cmp "$tmp/i/x" "$tmp/lh"
+	done
+	code=0
+	FAULT="close 2 $EIO" "$BUILD/faulty/grid2lh" "$tmp/phi" -o "$tmp/i/y" 2>"$tmp/err" || code=$?
+	[ $code = 1 ]
+	grep -q 'y: .*Input/output error' "$tmp/err"
+	[ ! -e "$tmp/i/y" ]
+}
+
+@test "a signal leaves no temporary file" {
+	local sig
+	lhinterp -n 1000 "$tmp/lh" "$tmp/lh" -o "$tmp/1000"
 	mkdir "$tmp/h"
-	lhinterp -n 1000 "$tmp/lh" "$tmp/lh" | lh2grid -o "$tmp/h/x" &
+	for sig in INT TERM HUP QUIT; do
+		env --default-signal=INT,QUIT lh2grid "$tmp/1000" -o "$tmp/h/x" &
+		pid=$!
+		for i in $(seq 100); do
+			[ -n "$(ls -A "$tmp/h")" ] && break
+			sleep 0.05
+		done
+		[ -n "$(ls -A "$tmp/h")" ]
+		kill -$sig $pid
+		code=0
+		wait $pid || code=$?
+		[ $code = $((128 + $(kill -l $sig))) ]
+		[ -z "$(ls -A "$tmp/h")" ]
+	done
+	# what it says goes to a pipe that is closed
+	run bash -c "lh2grid -v $tmp/1000 -o $tmp/h/x 2>&1 | head -1 >/dev/null; echo \${PIPESTATUS[0]}"
+	[ "$output" = 141 ]
+	[ -z "$(ls -A "$tmp/h")" ]
+}
+
+@test "a signal that is ignored, as under nohup, stays ignored" {
+	lhinterp -n 20 "$tmp/lh" "$tmp/lh" -o "$tmp/20"
+	mkdir "$tmp/j"
+	(trap '' HUP INT; exec lh2grid "$tmp/20" -o "$tmp/j/x") &
 	pid=$!
 	for i in $(seq 100); do
-		[ -n "$(ls -A "$tmp/h")" ] && break
-		sleep 0.1
+		[ -n "$(ls -A "$tmp/j")" ] && break
+		sleep 0.01
 	done
-	[ -n "$(ls -A "$tmp/h")" ]
-	kill $pid
-	wait $pid || true
-	[ -z "$(ls -A "$tmp/h")" ]
+	kill -HUP $pid
+	kill -INT $pid
+	wait $pid
+	[ "$(ls -A "$tmp/j")" = x ]
 }
 
 @test "numbered files of a stream are whole, from 1" {

@@ -1,0 +1,167 @@
+/* faults.c - starts a command that is linked with fault.c again and again, each time with
+ * another of its calls failing, and demands the same each time.
+ *
+ *   faults refused CALL ERROR SHARE COMMAND...     exit 1, one line on stderr; nothing on
+ *                                                  stdout, or not all if CALL is write
+ *   faults ignored CALL ERROR SHARE COMMAND...     exit 0, the same bytes as without fault
+ *
+ * After call N comes call N + 1 + N/SHARE; in turn it alone fails, or it and all that follow
+ * (not where faults are ignored).  With SOAK set all of the first 2000 calls fail in both
+ * ways, then SHARE is 100.  ERROR is a
+ * number of errno, or short.  Exit 0, or 1 with the first fault that went wrong.
+ */
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+typedef struct Run {
+	int   status;
+	FILE *out, *err;
+} Run;
+
+static void
+need(int ok, const char *what)
+{
+	if (!ok) {
+		perror(what);
+		exit(2);
+	}
+}
+
+static Run
+run(char *const command[], const char *fault)
+{
+	Run r = { 0, tmpfile(), tmpfile() };
+	pid_t pid;
+
+	need(r.out && r.err, "tmpfile");
+	need(setenv("FAULT", fault, 1) == 0, "setenv");
+	need((pid = fork()) >= 0, "fork");
+	if (pid == 0) {
+		lseek(0, 0, SEEK_SET);
+		dup2(fileno(r.out), 1);
+		dup2(fileno(r.err), 2);
+		execvp(command[0], command);
+		_exit(127);
+	}
+	need(waitpid(pid, &r.status, 0) == pid, "waitpid");
+	rewind(r.out);
+	rewind(r.err);
+	return r;
+}
+
+static void
+done(Run *r)
+{
+	fclose(r->out);
+	fclose(r->err);
+}
+
+static int
+one_line(FILE *f)
+{
+	int c, lines = 0, last = 0;
+
+	while ((c = getc(f)) != EOF) {
+		lines += c == '\n';
+		last = c;
+	}
+	return lines == 1 && last == '\n';
+}
+
+static int
+equal(FILE *a, FILE *b)
+{
+	int c;
+
+	rewind(b);
+	while ((c = getc(a)) == getc(b))
+		if (c == EOF)
+			return 1;
+	return 0;
+}
+
+static int
+empty(FILE *f)
+{
+	return getc(f) == EOF;
+}
+
+/* Calls that the command makes, as the faultless run counted them. */
+static long
+count(const char *name)
+{
+	FILE *f = fopen(name, "r");
+	long n = 0;
+
+	need(f && fscanf(f, "%ld", &n) == 1, name);
+	fclose(f);
+	return n;
+}
+
+static int
+good(int refused, int partly, Run *r, FILE *whole)
+{
+	if (!WIFEXITED(r->status))
+		return 0;
+	if (!refused)
+		return WEXITSTATUS(r->status) == 0 && equal(r->out, whole);
+	return WEXITSTATUS(r->status) == 1 && one_line(r->err) &&
+	    (partly ? !equal(r->out, whole) : empty(r->out));
+}
+
+static int
+fault(char *argv[], long n, const char *more, FILE *whole)
+{
+	int refused = strcmp(argv[1], "refused") == 0, partly = strcmp(argv[2], "write") == 0, ok;
+	char what[80];
+	Run r;
+
+	snprintf(what, sizeof what, "%s %ld%s %s", argv[2], n, more, argv[3]);
+	r = run(argv + 5, what);
+	ok = good(refused, partly, &r, whole);
+	if (!ok) {
+		printf("%s: FAULT='%s': not %s, status %x:\n", argv[5], what, argv[1], r.status);
+		rewind(r.err);
+		for (n = 0; n < 1000 && (ok = getc(r.err)) != EOF; n++)
+			putchar(ok);
+		ok = 0;
+	}
+	done(&r);
+	return ok;
+}
+
+int
+main(int argc, char *argv[])
+{
+	int soak = getenv("SOAK") != NULL, ok = 1, tries = 0, lasting;
+	char name[] = "/tmp/faults.XXXXXX", what[80];
+	long n, all, share;
+	Run whole;
+
+	if (argc < 6)
+		return 2;
+	share = soak ? 100 : atol(argv[4]);
+	need(close(mkstemp(name)) == 0 && setenv("FAULT_COUNT", name, 1) == 0, name);
+	snprintf(what, sizeof what, "%s 0 1", argv[2]);
+	whole = run(argv + 5, what);
+	all = count(name);
+	unlink(name);
+	unsetenv("FAULT_COUNT");
+	if (whole.status != 0 || all == 0) {
+		printf("%s: status %x, %ld calls of %s without a fault\n", argv[5], whole.status, all, argv[2]);
+		return 1;
+	}
+	lasting = strcmp(argv[1], "refused") == 0;
+	for (n = 1; ok && n <= all; n += soak && n < 2000 ? 1 : 1 + n/share, tries++) {
+		if (soak || !lasting || tries%2 == 0)
+			ok = fault(argv, n, "", whole.out);
+		if (ok && lasting && (soak || tries%2 == 1))
+			ok = fault(argv, n, "+", whole.out);
+	}
+	done(&whole);
+	return !ok;
+}
