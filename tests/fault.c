@@ -4,6 +4,7 @@
  *   FAULT="CALL N ERROR"       the N-th call of CALL fails with that number of errno
  *   FAULT="CALL N+ ERROR"      all from the N-th on
  *   FAULT="CALL N+ short"      read and write move one byte
+ *   FAULT="CALL N kill"        the process is killed there
  *   FAULT="CALL odd ERROR"     the first, the third, ..
  *   FAULT_COUNT=FILE           how many calls there were, at exit, into FILE
  *
@@ -14,6 +15,7 @@
 #define _GNU_SOURCE
 #include <errno.h>
 #include <limits.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +24,7 @@
 
 #include "fault.h"
 
-enum { SHORT = -1 };
+enum { SHORT = -1, KILL = -2 };
 
 static struct {
 	char call[16];
@@ -40,7 +42,11 @@ fails(const char *call)
 	if (strcmp(call, fault.call) != 0)
 		return 0;
 	n = __atomic_add_fetch(&fault.seen, 1, __ATOMIC_SEQ_CST);
-	return n >= fault.from && n <= fault.to && (n - fault.from)%fault.stride == 0 ? fault.error : 0;
+	if (n < fault.from || n > fault.to || (n - fault.from)%fault.stride != 0)
+		return 0;
+	if (fault.error == KILL)
+		raise(SIGKILL);
+	return fault.error;
 }
 
 void
@@ -239,7 +245,8 @@ begin(void)
 	if (!s || sscanf(s, "%15s %15s %15s", call, which, error) != 3)
 		return;
 	n = strtol(which, NULL, 10);
-	fault_set(call, n, strchr(which, '+') ? LONG_MAX : n, strcmp(error, "short") == 0 ? SHORT : atoi(error));
+	fault_set(call, n, strchr(which, '+') ? LONG_MAX : n, strcmp(error, "short") == 0 ? SHORT :
+	    strcmp(error, "kill") == 0 ? KILL : atoi(error));
 	if (strcmp(which, "odd") == 0) {
 		fault.from = 1;
 		fault.to = LONG_MAX;

@@ -105,8 +105,9 @@ setup_file() {
 		grep -q ': stdin: .*Bad file descriptor$' "$tmp/err" || { echo "$c"; return 1; }
 		[ ! -s "$tmp/out" ]
 	done
-	mesh2rect -n 8 "$tmp/cap.off" -o "$tmp/open"
-	mesh2rect -v -n 8 "$tmp/cap.off" -o "$tmp/closed" <&- >&- 2>&-
+	lhinterp -n 2 "$tmp/lh" "$tmp/lh" -o "$tmp/pair"
+	lh2grid <"$tmp/pair" -o "$tmp/open"
+	lh2grid -v <"$tmp/pair" -o "$tmp/closed" 2>&-
 	cmp "$tmp/open" "$tmp/closed"
 }
 
