@@ -5,6 +5,7 @@
 #include "../lib/lambdah.h"
 #include "../lib/stats.h"
 #include "cmd.h"
+#include "range.h"
 
 enum { BAND = 3 };      /* rings: what the frame method of lh2grid needs */
 
@@ -99,6 +100,8 @@ convert(const CmdInput *in, Lhg *g, int curvature, int lattice, int residual)
 		die("%s: %d x %d nodes, need at least 4 x 4", in->name, g->nu, g->nv);
 	for (c = 0; c < 3; c++)
 		phi[c] = cmd_need(in, g, name[c], LHG_GRID);
+	range_height(in, g);
+	range_positions(in->name, (size_t)g->nu*g->nv, 1, phi);
 	report_beltrami(in, chart, phi);
 	lhg_drop(g, "lambda");
 	lhg_drop(g, "H");

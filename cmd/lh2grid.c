@@ -4,6 +4,7 @@
 
 #include "../lib/frame.h"
 #include "cmd.h"
+#include "range.h"
 #include "surfacefit.h"
 
 static const char text[] =
@@ -39,17 +40,6 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
-static void
-check_positive(const CmdInput *in, const Lhg *g, const double *lambda)
-{
-	int p;
-
-	for (p = 0; p < g->nu*g->nv; p++)
-		if (!(lambda[p] > 0))
-			die("%s: lambda is %g at node (%d,%d), must be positive",
-			    in->name, lambda[p], p%g->nu, p/g->nu);
-}
-
 /* The band, of at least so many rings, set into whole grids phi[3][nv][nu]. */
 static void
 read_band(const CmdInput *in, const Lhg *g, int rings, double *phi)
@@ -64,6 +54,7 @@ read_band(const CmdInput *in, const Lhg *g, int rings, double *phi)
 		if (b->step < rings)
 			die("%s: channel %s has %d rings, need %d", in->name, band[c], b->step, rings);
 		lhg_scatter(g, b, phi + (size_t)c*g->nu*g->nv);
+		range_width(in, g, band[c]);
 	}
 }
 
@@ -117,7 +108,8 @@ convert(const CmdInput *in, Lhg *g, int method, const SurfaceFit *o)
 	Chart chart = { g->nu, g->nv, g->T };
 	double *phi = cmd_alloc(3*(size_t)g->nu*g->nv, sizeof *phi);
 
-	check_positive(in, g, lambda);
+	range_height(in, g);
+	range_lambda_h(in, g, lambda, H);
 	cmd_progress("frame %d of %d, %d x %d nodes", g->frame, g->frames, g->nu, g->nv);
 	if (method) {
 		read_band(in, g, FRAME_BAND, phi);

@@ -5,6 +5,7 @@
 #include "../lib/meshfile.h"
 #include "cmd.h"
 #include "load.h"
+#include "range.h"
 
 void
 load_soup(const char *path, Soup *s)
@@ -15,6 +16,7 @@ load_soup(const char *path, Soup *s)
 	if (meshfile_parse(s, bytes, n))
 		die("%s: %s", cmd_name_of(path), s->err);
 	free(bytes);
+	range_positions(cmd_name_of(path), (size_t)s->nv, 3, (const double *[]){ s->xyz, s->xyz + 1, s->xyz + 2 });
 }
 
 void

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "cmd.h"
+#include "range.h"
 #include "scales.h"
 
 static const char ways[] = "say one of -K X, --raw -K X, --keep=N, --energy=SHARE, --low-pass=R";
@@ -102,6 +103,8 @@ scales_need(const CmdInput *in, const Lhg *g)
 	cmd_need(in, g, "H", LHG_GRID);
 	if (!(floor > 0))
 		die("%s: lambda is not positive everywhere", in->name);
+	range_channel(in, g, "lambda");
+	range_channel(in, g, "H");
 	return floor;
 }
 

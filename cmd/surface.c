@@ -4,6 +4,7 @@
 #include "../lib/disk.h"
 #include "../lib/gridmesh.h"
 #include "../lib/meshfile.h"
+#include "range.h"
 #include "surface.h"
 
 void
@@ -26,6 +27,7 @@ from_grid(CmdInput *in, Mesh *m)
 	z = cmd_need(in, &g, "z", LHG_GRID);
 	if (mesh_from_grid(m, g.nu, g.nv, x, y, z))
 		die("%s: no memory for a mesh of %d x %d vertices", in->name, g.nu, g.nv);
+	range_positions(in->name, (size_t)m->nv, 3, (const double *[]){ m->xyz, m->xyz + 1, m->xyz + 2 });
 	lhg_free(&g);
 	return 1;
 }
@@ -40,6 +42,8 @@ from_mesh(Surfaces *s, Mesh *m)
 		return 0;
 	if (meshfile_parse(&soup, s->bytes, s->n))
 		die("%s: %s", s->in.name, soup.err);
+	range_positions(s->in.name, (size_t)soup.nv, 3,
+	    (const double *[]){ soup.xyz, soup.xyz + 1, soup.xyz + 2 });
 	if (disk_from_soup(&d, &soup))
 		die("%s: %s", s->in.name, d.err);
 	if (d.note[0])

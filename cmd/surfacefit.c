@@ -5,6 +5,7 @@
 
 #include "../lib/frame.h"
 #include "../lib/surface.h"
+#include "range.h"
 #include "surfacefit.h"
 
 /* A surface that fits exactly is worth more steps: they gain digits fast. */
@@ -33,8 +34,10 @@ read_start(const CmdInput *in, const Lhg *g, Surface *s)
 	double *start;
 	int c, step;
 
-	for (c = 0; c < 3; c++)
+	for (c = 0; c < 3; c++) {
 		cmd_need(in, g, START[c], LHG_LATTICE);
+		range_width(in, g, START[c]);
+	}
 	n = lhg_find(g, START[0])->n;
 	step = lhg_find(g, START[0])->step;
 	start = cmd_alloc(3*n, sizeof *start);
@@ -64,6 +67,8 @@ read_residue(const CmdInput *in, const Lhg *g, const SurfaceFit *o, Residue *r)
 	for (i = 0; i < 2; i++) {
 		r->nu[i] = cmd_need(in, g, RESIDUE[i], LHG_GRID);
 		r->tau[i] = cmd_need(in, g, RESIDUE[2+i], LHG_GRID);
+		range_channel(in, g, RESIDUE[i]);
+		range_channel(in, g, RESIDUE[2+i]);
 	}
 	return 1;
 }

@@ -193,8 +193,8 @@ fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 	m->w = BLUNT_W;
 	m->alpha = BLUNT_ALPHA;
 	at->nu = m->g.nu, at->nv = m->g.nv, at->step = 0;
-	E = misfit_energy(m, phi);
-	while (!done && at->step < o->most) {
+	at->energy = E = misfit_energy(m, phi);
+	while (!done && at->step < o->most && isfinite(E)) {
 		past.E[past.steps%TEN] = before = E;
 		past.way[past.steps++%TEN] = way;
 		is = step(&k, phi, &E);

@@ -1,0 +1,25 @@
+/* range.h - numbers whose squares and products all stages can hold, or one true line. */
+#ifndef CMD_RANGE_H
+#define CMD_RANGE_H
+
+#include "cmd.h"
+
+/* Positions x[c][k*stride], k < n: no coordinate beyond 1e60, and not less than 1e-60 wide,
+ * or die. */
+void range_positions(const char *name, size_t n, int stride, const double *const x[3]);
+
+/* The height T of g: 1e-9 .. 1e9, or die. */
+void range_height(const CmdInput *in, const Lhg *g);
+
+/* lambda of g: 1e-60 .. 1e60, the largest at most 1e12 times the least, |H| at most 1e12 over
+ * lambda, or die. */
+void range_lambda_h(const CmdInput *in, const Lhg *g, const double *lambda, const double *H);
+
+/* No two points of the surface lie farther apart than the largest lambda times 1 + T: a
+ * coordinate of it that spans more than a thousand times that is none of it, so die. */
+void range_width(const CmdInput *in, const Lhg *g, const char *name);
+
+/* A channel of g whose squares are to be summed: not beyond 1e100, or die. */
+void range_channel(const CmdInput *in, const Lhg *g, const char *name);
+
+#endif
