@@ -56,6 +56,10 @@ $(FAULTY): $(BUILD)/faulty/%: $(BUILD)/cmd/%.o $(SHARED) $(LIB) $(FAULT)
 	@mkdir -p $(@D)
 	$(CXX) $(OPENMP) $(LDFLAGS) $(WRAPPED:%=-Wl,--wrap=%) -o $@ $^ $(LDLIBS) -lsuitesparseconfig
 
+$(BUILD)/tests/test_memory: $(FAULT)
+$(BUILD)/tests/test_memory: LDFLAGS += $(WRAP)
+$(BUILD)/tests/test_memory: LDLIBS += -lsuitesparseconfig
+
 $(TESTBIN): %: %.o $(LIB)
 	$(CXX) $(OPENMP) $(LDFLAGS) $(WRAP) -o $@ $^ $(LDLIBS) -lcmocka
 

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "../lib/frame.h"
+#include "claim.h"
 #include "cmd.h"
 #include "range.h"
 #include "surfacefit.h"
@@ -106,8 +107,11 @@ convert(const CmdInput *in, Lhg *g, int method, const SurfaceFit *o)
 {
 	const double *lambda = cmd_need(in, g, "lambda", LHG_GRID), *H = cmd_need(in, g, "H", LHG_GRID);
 	Chart chart = { g->nu, g->nv, g->T };
-	double *phi = cmd_alloc(3*(size_t)g->nu*g->nv, sizeof *phi);
+	double *phi;
 
+	claim(in->name, method ? "the frame method" : "the surface method", (double)g->nu*g->nv,
+	    8*(method ? 680 : 31));
+	phi = cmd_alloc(3*(size_t)g->nu*g->nv, sizeof *phi);
 	range_height(in, g);
 	range_lambda_h(in, g, lambda, H);
 	cmd_progress("frame %d of %d, %d x %d nodes", g->frame, g->frames, g->nu, g->nv);

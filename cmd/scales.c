@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "claim.h"
 #include "cmd.h"
 #include "range.h"
 #include "scales.h"
@@ -103,6 +104,7 @@ scales_need(const CmdInput *in, const Lhg *g)
 	cmd_need(in, g, "H", LHG_GRID);
 	if (!(floor > 0))
 		die("%s: lambda is not positive everywhere", in->name);
+	claim(in->name, "the transform", (double)g->nu*g->nv, 8*8);
 	range_channel(in, g, "lambda");
 	range_channel(in, g, "H");
 	return floor;

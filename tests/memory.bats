@@ -1,0 +1,63 @@
+# Memory that runs out: one line, exit 1, nothing on stdout; and what is too much for the
+# machine is said before the work begins.  SOAK=1 refuses every request for memory in turn.
+
+load helper
+
+setup_file() {
+	load helper
+	export OMP_NUM_THREADS=1
+	for e in off obj ply stl; do
+		mkmesh -n 60 cap -o "$tmp/cap.$e"
+	done
+	gzip -k "$tmp/cap.ply"
+	mesh2rect -n 8 --uv="$tmp/uv.ply" "$tmp/cap.off" -o "$tmp/phi"
+	grid2lh "$tmp/phi" -o "$tmp/lh"
+	grid2lh --residual "$tmp/phi" -o "$tmp/all"
+	mkmesh -n 8 rectangle -o "$tmp/flat.off"
+	export ASAN_OPTIONS=detect_leaks=0
+}
+
+# short_of SHARE COMMAND...: see tests/faults.c; 12 is ENOMEM.
+short_of() {
+	timeout 600 "$BUILD/tests/faults" refused memory 12 "$1" "$BUILD/faulty/$2" "${@:3}" </dev/null
+}
+
+share=4
+
+@test "mkmesh"    { short_of $share mkmesh -n 60 cap; short_of $share mkmesh --help; short_of $share mkmesh --list; }
+@test "grid2lh"   { short_of $share grid2lh "$tmp/phi"; short_of $share grid2lh --residual "$tmp/phi"; }
+@test "lhfft"     { short_of $share lhfft -K 1 "$tmp/lh"; short_of $share lhfft -K 1 --basis=dft --spectrum="$tmp/table" "$tmp/lh"; }
+@test "lhinterp"  { short_of $share lhinterp -t 0.5 "$tmp/lh" "$tmp/lh"; }
+@test "lhinfo"    { short_of $share lhinfo "$tmp/lh"; short_of $share lhinfo --json "$tmp/lh"; }
+@test "grid2mesh" { short_of $share grid2mesh "$tmp/phi"; short_of $share grid2mesh --on="$tmp/uv.ply" "$tmp/phi"; }
+
+@test "lh2grid" {
+	short_of $share lh2grid "$tmp/all"
+	short_of $share lh2grid --no-start "$tmp/lh"
+	short_of $share lh2grid --method=frame "$tmp/lh"
+}
+
+@test "lhdiff" {
+	short_of $share lhdiff "$tmp/phi" "$tmp/phi"
+	short_of 2 lhdiff -q "$tmp/cap.stl" "$tmp/phi"
+}
+
+@test "mesh2rect" {
+	for e in off obj ply ply.gz stl; do
+		short_of 2 mesh2rect -q -n 8 --split=0 --tolerance=1 --polish=0 --surface=facets "$tmp/cap.$e"
+	done
+	short_of $share mesh2rect -n 4 --polish=1 --uv="$tmp/x.obj" "$tmp/flat.off"
+	short_of 2 mesh2rect -n 4 "$tmp/flat.off"
+}
+
+@test "what needs more than the machine has says how much before it starts" {
+	try 1 'cap.off: no memory: the grid needs about [0-9]{12} bytes, there are [0-9]+$' /dev/null \
+	    mesh2rect -n 32767 "$tmp/cap.off"
+	case $BUILD in */*) skip "sanitizers want more address space than a limit leaves" ;; esac
+	/usr/bin/python3 tests/hostile.py "$tmp/phi" "$tmp/large" 'g = size(600, 600, 3)'
+	(ulimit -v 1500000 && try 1 'large: no memory: the frame method needs about 1958400000 bytes, there are 1536000000$' \
+	    /dev/null lh2grid --method=frame "$tmp/large")
+	(ulimit -v 1500000 && try 1 'cap.off: no memory: the map needs about 3997696000 bytes, there are 1536000000$' \
+	    /dev/null mesh2rect -n 4 --split=8 --max-vertices=100000000 "$tmp/cap.off")
+	(ulimit -v 1500000 && mesh2rect -n 8 "$tmp/cap.off" >/dev/null)
+}

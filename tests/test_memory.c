@@ -1,0 +1,263 @@
+/* test_memory.c - every request for memory of lib/ and format/ refused in turn: an error
+ * comes back, and everything that was got before is given back.
+ *
+ * Linked with fault.c, which says what it does not see.  After the N-th request comes the
+ * N + 1 + N/SHARE-th; with SOAK set each of the first 3000.
+ */
+#include "cmock.h"
+
+#include <errno.h>
+
+#include "../format/lhg.h"
+#include "../lib/conformal.h"
+#include "../lib/corners.h"
+#include "../lib/disk.h"
+#include "../lib/distance.h"
+#include "../lib/filter.h"
+#include "../lib/frame.h"
+#include "../lib/gridmesh.h"
+#include "../lib/meshfile.h"
+#include "../lib/surface.h"
+#include "../lib/synth.h"
+#include "fault.h"
+
+enum { SHARE = 6 };
+
+static Mesh mesh;               /* what the work is done on: got without faults */
+static Disk disk;
+static int  corner[4];
+
+/* work returns 0 or an error, and frees what it has in either case. */
+static void
+refuse_each(int (*work)(int), int which)
+{
+	const int soak = getenv("SOAK") != NULL;
+	const long live = fault_live();
+	long n, tried = 0;
+	int e;
+
+	for (n = 1; ; n += soak && n < 3000 ? 1 : 1 + n/(soak ? 100 : SHARE), tried++) {
+		fault_set("memory", n, n, ENOMEM);
+		e = work(which);
+		if (fault_live() != live)
+			fail_msg("request %ld refused: %ld blocks not freed", n, fault_live() - live);
+		if (fault_seen() < n)
+			break;
+		if (e >= 0)
+			fail_msg("request %ld refused, and no error", n);
+	}
+	fault_set("", 0, 0, 0);
+	assert_int_equal(e, 0);
+	assert_true(tried > 0);
+}
+
+static int
+through_a_file(int kind)
+{
+	Soup s = { 0 };
+	Disk d = { .m = { 0 } };
+	char *bytes = NULL;
+	size_t n;
+	int c[4], e = meshfile_format(&mesh, kind, &bytes, &n);
+
+	if (!e && (e = meshfile_parse(&s, bytes, n)) == 0) {
+		if ((e = disk_from_soup(&d, &s)) == 0) {
+			e = corners_auto(&d, c);
+			disk_free(&d);
+		}
+		soup_free(&s);
+	}
+	free(bytes);
+	return e;
+}
+
+static int
+synthetic(int n)
+{
+	double *xy = NULL;
+	Synth s;
+	Mesh m;
+	int e;
+
+	synth_init(&s, "cap");
+	e = synth_mesh(&s, n, 1, &m, &xy);
+	if (!e) {
+		mesh_free(&m);
+		free(xy);
+	}
+	return e;
+}
+
+static int
+mapped(int way)
+{
+	static const ConformalOptions options[2] = {
+		{ { 1, 0, 1000 }, SAMPLER_FACETS, 0, 1 }, { { 1e-3, 1, 1000 }, SAMPLER_SMOOTH, 1, 1 }
+	};
+	SpdReport report;
+	Conformal c;
+	int e = conformal_grid(&disk, corner, (Chart){ 9, 7, 1 }, &options[way], &c, &report);
+
+	if (!e)
+		conformal_free(&c);
+	return e;
+}
+
+enum { NU = 9, NV = 7, NODES = NU*NV };
+
+/* A flat sheet with a bump. */
+static void
+sheet(double phi[3][NODES])
+{
+	int i, j;
+
+	for (j = 0; j < NV; j++)
+		for (i = 0; i < NU; i++) {
+			phi[0][j*NU+i] = i/(NU - 1.0);
+			phi[1][j*NU+i] = j/(NV - 1.0);
+			phi[2][j*NU+i] = i*j/400.0;
+		}
+}
+
+/* way 0: with a start; 1: without; 2: the frame method */
+static int
+solved(int way)
+{
+	static const double end[2] = { 1, 1 };
+	double phi[3][NODES], start[3][NODES], lambda[NODES], H[NODES];
+	double *x[3] = { phi[0], phi[1], phi[2] };
+	Surface s = { { NU, NV, 1 }, lambda, H, NULL, { NU, NV, 1 }, { end[0], end[1] }, way ? NULL : start[0] };
+	FitOptions o = { 1e-4, 50, 1, NULL, NULL };
+	FitProgress at;
+	int p, e;
+
+	sheet(phi);
+	sheet(start);
+	for (p = 0; p < NODES; p++) {
+		lambda[p] = 1;
+		H[p] = 0;
+	}
+	if (way == 2)
+		return frame_surface(s.g, lambda, H, x, &p, NULL);
+	e = surface(&s, &o, phi[0], &at);
+	return e < 0 ? e : !e;
+}
+
+static int
+filtered(int basis)
+{
+	Spectrum s = { basis, { NU, NV, 1 } };
+	Filter by = { FILTER_KEEP, 5, 1 };
+	double f[NODES], out[2*NODES];
+	size_t kept;
+	int p, e;
+
+	for (p = 0; p < NODES; p++)
+		f[p] = 1 + p%5;
+	e = filter_field(s, &by, f, &kept);
+	return e ? e : filter_percent(s, 1, f, out);
+}
+
+static int
+compared(int crossings)
+{
+	double phi[3][NODES], d;
+	long pairs;
+	Mesh m;
+	int e;
+
+	sheet(phi);
+	if ((e = mesh_from_grid(&m, NU, NV, phi[0], phi[1], phi[2])) != 0)
+		return e;
+	e = crossings ? distance_crossings(&m, &pairs) : distance_hausdorff(&m, &mesh, 0.1, &d);
+	mesh_free(&m);
+	return e;
+}
+
+/* What a stage does to a grid, then written and read again. */
+static int
+passed_on(int frames)
+{
+	FILE *f = tmpfile();
+	LhgStream s;
+	Lhg g, h;
+	int k, e = 0;
+
+	assert_non_null(f);
+	lhg_init(&g, NU, NV, 0.7);
+	g.frames = frames;
+	if (!lhg_add(&g, "x", "length", LHG_GRID, 0) || !lhg_add(&g, "band.x", "length", LHG_BORDER, 2))
+		e = LHG_ENOMEM;
+	lhg_open(&s, f);
+	for (k = 1; !e && k <= frames; k++) {
+		g.frame = k;
+		e = lhg_setmeta(&g, "t", "0.5");
+		if (!e)
+			e = lhg_note(&g, "step");
+		if (!e)
+			e = lhg_write(&s, &g);
+	}
+	rewind(f);
+	lhg_open(&s, f);
+	while (!e && (k = lhg_read(&s, &h)) != 0)
+		if (k < 0)
+			e = k;
+		else
+			lhg_free(&h);
+	lhg_free(&g);
+	fclose(f);
+	return e;
+}
+
+static void off(void **state)      { (void)state; refuse_each(through_a_file, MESHFILE_OFF); }
+static void obj(void **state)      { (void)state; refuse_each(through_a_file, MESHFILE_OBJ); }
+static void ply(void **state)      { (void)state; refuse_each(through_a_file, MESHFILE_PLY); }
+static void stl(void **state)      { (void)state; refuse_each(through_a_file, MESHFILE_STL); }
+static void synth(void **state)    { (void)state; refuse_each(synthetic, 40); }
+static void facets(void **state)      { (void)state; refuse_each(mapped, 0); }
+static void polished(void **state)   { (void)state; refuse_each(mapped, 1); }
+static void fit_start(void **state) { (void)state; refuse_each(solved, 0); }
+static void fit_frame(void **state) { (void)state; refuse_each(solved, 1); }
+static void frame(void **state)    { (void)state; refuse_each(solved, 2); }
+static void dct(void **state)      { (void)state; refuse_each(filtered, SPECTRUM_DCT); }
+static void dft(void **state)      { (void)state; refuse_each(filtered, SPECTRUM_DFT); }
+static void hausdorff(void **state) { (void)state; refuse_each(compared, 0); }
+static void crossings(void **state) { (void)state; refuse_each(compared, 1); }
+static void grids(void **state)    { (void)state; refuse_each(passed_on, 3); }
+
+static int
+begin(void **state)
+{
+	Soup s;
+	Synth kind;
+	char *bytes;
+	size_t n;
+
+	(void)state;
+	return synth_init(&kind, "cap") || synth_mesh(&kind, 40, 1, &mesh, NULL) ||
+	    meshfile_format(&mesh, MESHFILE_OFF, &bytes, &n) || meshfile_parse(&s, bytes, n) ||
+	    disk_from_soup(&disk, &s) || corners_auto(&disk, corner) || (free(bytes), soup_free(&s), 0);
+}
+
+static int
+end(void **state)
+{
+	(void)state;
+	mesh_free(&mesh);
+	disk_free(&disk);
+	return fault_live() != 0;
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(off), cmocka_unit_test(obj), cmocka_unit_test(ply), cmocka_unit_test(stl),
+		cmocka_unit_test(synth), cmocka_unit_test(facets), cmocka_unit_test(polished),
+		cmocka_unit_test(fit_start), cmocka_unit_test(fit_frame), cmocka_unit_test(frame),
+		cmocka_unit_test(dct), cmocka_unit_test(dft),
+		cmocka_unit_test(hausdorff), cmocka_unit_test(crossings), cmocka_unit_test(grids),
+	};
+
+	return cmocka_run_group_tests(tests, begin, end);
+}
