@@ -21,7 +21,7 @@
 #include "../lib/synth.h"
 #include "fault.h"
 
-enum { SHARE = 6 };
+enum { SHARE = 40 };
 
 static Mesh mesh;               /* what the work is done on: got without faults */
 static Disk disk;

@@ -1,0 +1,66 @@
+# Equal input gives equal bytes: of every command, run after run, for any number of
+# threads, in any folder and locale.  Ten runs of each with SOAK set.
+
+load helper
+
+setup_file() {
+	load helper
+	cd "$tmp"
+	mkmesh -n 3000 face -o face.off
+	mesh2rect -n 96 --uv=uv.ply face.off -o phi     # more nodes than one thread takes
+	grid2lh --residual phi -o lh
+	mesh2rect -n 24 face.off | grid2lh -o small.lh
+	mkdir there
+	cp face.off uv.ply phi lh small.lh there
+}
+
+# same COMMAND...: the bytes of stdout and stderr, whatever the surroundings.
+same() {
+	local n
+	cd "$tmp"
+	OMP_NUM_THREADS=1 "$@" >"$tmp/first" 2>"$tmp/words"
+	again() { "$@" >"$tmp/now" 2>"$tmp/said" && cmp "$tmp/first" "$tmp/now" && cmp "$tmp/words" "$tmp/said"; }
+	for n in ${SOAK:+1 2 3 4 8} 8; do
+		OMP_NUM_THREADS=$n OPENBLAS_NUM_THREADS=$n again "$@"
+	done
+	(cd there && LC_ALL=de_DE.UTF-8 again "$@")
+	[ -z "$SOAK" ] || for n in 1 2 3 4; do
+		again "$@"
+		(cd there && env -i PATH="$PATH" LC_ALL=tr_TR.UTF-8 TZ=Asia/Tokyo USER=other HOME=/ "$@") | cmp "$tmp/first"
+	done
+}
+
+@test "mkmesh"    { same mkmesh -n 4000 cortex; same mkmesh -n 100 torus --seed=3; same mkmesh --help; }
+@test "mesh2rect" { same mesh2rect -n 96 face.off; same mesh2rect -v -n 24 --surface=facets --split=2 face.off; }
+@test "grid2lh"   { same grid2lh --residual phi; same grid2lh -v phi; }
+@test "lhfft"     { same lhfft -v -K 0.5,2 lh; same lhfft --energy=0.9 --basis=dft lh; }
+@test "lhinterp"  { same lhinterp -n 3 lh lh; }
+@test "lh2grid"   { same lh2grid lh; same lh2grid --no-start --ideal small.lh; same lh2grid --method=frame small.lh; }
+@test "grid2mesh" { same grid2mesh phi; same grid2mesh --on uv.ply phi; }
+@test "lhinfo"    { same lhinfo phi lh; same lhinfo --json lh; }
+@test "lhdiff"    { same lhdiff --no-self-intersections phi face.off; same lhdiff --json phi phi; }
+
+@test "files are the same bytes as stdout: --uv, --spectrum, every kind of mesh" {
+	local e
+	cd "$tmp"
+	for e in off obj ply stl; do
+		OMP_NUM_THREADS=1 grid2mesh phi -o "a.$e"
+		(cd there && LC_ALL=de_DE.UTF-8 OMP_NUM_THREADS=4 grid2mesh phi -o "../b.$e")
+		cmp "a.$e" "b.$e"
+	done
+	lhfft -K 1 --spectrum=a.table lh >/dev/null
+	LC_ALL=de_DE.UTF-8 lhfft -K 1 --spectrum=b.table lh >/dev/null
+	cmp a.table b.table
+}
+
+@test "numbers have a point in a locale of commas, in files and in options" {
+	cd "$tmp"
+	export LC_ALL=de_DE.UTF-8
+	[ "$(printf %.1f 0,5 2>/dev/null)" = 0,5 ] || skip "no locale de_DE.UTF-8"
+	lhinterp -t 0.5 small.lh small.lh -o half
+	lhinfo half | grep -q '^  meta t 0.5$'
+	try 2 'need a number in \[0,1\]' /dev/null lhinterp -t 0,5 small.lh small.lh
+	try 2 'a=0,5: need a number' /dev/null mkmesh rectangle a=0,5
+	mkmesh -n 50 rectangle a=1 b=0.7 | grep -q '[0-9],[0-9]' && return 1
+	mesh2rect -n 4 --corners='0.1,0.2,0;1,0,0;1,0.7,0;0,0.7,0' <(mkmesh -n 50 rectangle a=1 b=0.7) >/dev/null
+}
