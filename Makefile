@@ -5,6 +5,7 @@
 #   make SANITIZE=address,undefined check      the same in build/address,undefined
 #   make install PREFIX=/usr/local DESTDIR=
 #   make bench                the numbers the project promises (minutes)
+#   make coverage             lines that the tests run, by file (minutes)
 #   make soak                 what make check takes a share of, whole (minutes)
 #   make fuzz FUZZ_SECONDS=60 hostile inputs, so long for each target (clang 14)
 
@@ -57,11 +58,10 @@ $(FAULTY): $(BUILD)/faulty/%: $(BUILD)/cmd/%.o $(SHARED) $(LIB) $(FAULT)
 	$(CXX) $(OPENMP) $(LDFLAGS) $(WRAPPED:%=-Wl,--wrap=%) -o $@ $^ $(LDLIBS) -lsuitesparseconfig
 
 $(BUILD)/tests/test_memory: $(FAULT)
-$(BUILD)/tests/test_memory: LDFLAGS += $(WRAP)
-$(BUILD)/tests/test_memory: LDLIBS += -lsuitesparseconfig
+$(BUILD)/tests/test_memory: WRAP = $(WRAPPED:%=-Wl,--wrap=%)
 
 $(TESTBIN): %: %.o $(LIB)
-	$(CXX) $(OPENMP) $(LDFLAGS) $(WRAP) -o $@ $^ $(LDLIBS) -lcmocka
+	$(CXX) $(OPENMP) $(LDFLAGS) $(WRAP) -o $@ $^ $(LDLIBS) -lcmocka -lsuitesparseconfig
 
 $(BUILD)/tests/test_lhgfault $(FUZZBIN): WRAP = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 
@@ -117,6 +117,13 @@ fuzz:
 
 fuzztargets: $(FUZZBIN)
 
+# Lines run by the tests: gcov's counts, a line for each file and each folder.
+coverage:
+	rm -rf build/coverage
+	$(MAKE) BUILD=build/coverage CFLAGS='-O0 -g --coverage -fprofile-update=atomic' CXXFLAGS='-O0 -g --coverage' \
+	    LDFLAGS='$(LDFLAGS) --coverage' check
+	scripts/coverage build/coverage
+
 bench: all tests
 	PATH="$(CURDIR)/$(BUILD)/bin:$$PATH" sh scripts/bench
 
@@ -130,7 +137,7 @@ uninstall:
 clean:
 	rm -rf build
 
-.PHONY: all tests demo check soak fuzz fuzztargets bench install uninstall clean
+.PHONY: all tests demo check soak fuzz fuzztargets coverage bench install uninstall clean
 .SECONDARY: $(OBJ)
 
 -include $(OBJ:.o=.d)

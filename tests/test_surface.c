@@ -204,6 +204,25 @@ steps_that_do_not_suffice_are_told(void **state)
 	assert_true(at.change > 0 && at.energy > 0 && at.worst > (size_t)COARSE.nu);
 }
 
+/* Squares that overflow are no surface that is found. */
+static void
+energies_that_are_no_numbers_are_told(void **state)
+{
+	static const double huge[2] = { 1e200, 1e-200 };
+	Surface s = given(cylinder, (Chart){ 9, 8, 0.8 });
+	FitProgress at;
+	int i, k;
+
+	(void)state;
+	for (k = 0; k < 2; k++) {
+		for (i = 0; i < 9*8; i++)
+			lambda[i] = huge[k];
+		memcpy(found, truth, 3*9*8*sizeof *found);
+		assert_int_equal(surface(&s, &EXACT, found, &at), 0);
+		assert_true(at.step <= 1);
+	}
+}
+
 int
 main(void)
 {
@@ -216,6 +235,7 @@ main(void)
 		cmocka_unit_test(threads_change_no_bit),
 		cmocka_unit_test(small_grids_are_no_trouble),
 		cmocka_unit_test(steps_that_do_not_suffice_are_told),
+		cmocka_unit_test(energies_that_are_no_numbers_are_told),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
