@@ -103,6 +103,16 @@ claim_map(const char *name, const Disk *d, Chart g, const ConformalOptions *o)
 	claim(name, "the grid", (double)g.nu*g.nv, 8*(o->polish ? 46 : 6));
 }
 
+/* The corners, and how far the boundary is from that of --like, or -1. */
+static double
+choose_corners(const char *corners, const char *like, int reversed, Disk *d, int corner[4])
+{
+	if (like)
+		return opt_like(like, reversed, d, corner);
+	opt_corners(corners, d, corner);
+	return -1;
+}
+
 static void
 map(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options, Conformal *c)
 {
@@ -121,7 +131,7 @@ map(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options
 }
 
 static void
-describe(Lhg *out, const Disk *d, const int corner[4], const Conformal *c)
+describe(Lhg *out, const Disk *d, const int corner[4], double apart, const Conformal *c)
 {
 	const int *l = d->loop;
 
@@ -129,6 +139,8 @@ describe(Lhg *out, const Disk *d, const int corner[4], const Conformal *c)
 	cmd_meta(out, "faces", "%d", d->m.nf);
 	cmd_meta(out, "corners", "%d,%d,%d,%d", d->file[l[corner[0]]], d->file[l[corner[1]]],
 	    d->file[l[corner[2]]], d->file[l[corner[3]]]);
+	if (apart >= 0)
+		cmd_meta(out, "like", "%.6g", apart);
 	cmd_meta(out, "certificate", "%.6g", c->certificate);
 	cmd_meta(out, "solved", "%d", c->vertices);
 	cmd_meta(out, "turned", "%d", c->turned);
@@ -155,7 +167,7 @@ main(int argc, char *argv[])
 	const char *corners = NULL, *like = NULL, *uv = NULL;
 	Chart g = { 257, 257, 1 };
 	int opt, corner[4], flip = 0, reversed = 0;
-	double apart = 0;
+	double apart;
 	Conformal c;
 	Soup s;
 	Disk d;
@@ -187,19 +199,14 @@ main(int argc, char *argv[])
 		soup_free(&s);
 	if (flip)
 		disk_flip(&d);
-	if (like)
-		apart = opt_like(like, reversed, &d, corner);
-	else
-		opt_corners(corners, &d, corner);
+	apart = choose_corners(corners, like, reversed, &d, corner);
 
 	claim_map(cmd_name_of(argv[optind]), &d, g, &options);
 	map(&d, corner, g, &options, &c);
 
 	lhg_init(&out, g.nu, g.nv, c.grid.g.T);
 	add_positions(&out, &c.grid);
-	describe(&out, &d, corner, &c);
-	if (like)
-		cmd_meta(&out, "like", "%.6g", apart);
+	describe(&out, &d, corner, apart, &c);
 	if (uv) {
 		uv_write(uv, &s, &d, c.u, c.v, out.T);
 		soup_free(&s);

@@ -81,7 +81,7 @@ morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks
 		return;
 	match(m, landmarks);
 	if (!landmarks)
-		quarters_check(&m->A, &m->border[0], &m->B, &m->border[1]);
+		quarters_check(&m->A, &m->border[0], &m->B, &m->border[1], aligned);
 	if (aligned)
 		align(m);
 }

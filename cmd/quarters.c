@@ -28,11 +28,27 @@ sample(const Border *b, int first, double *x)
 		x[i] *= sqrt(4*SIDE)/sum;
 }
 
+/* The number of quarter turns that fits best.  Where B stays as it stands, none counts that would have to
+ * turn it much more in space. */
+static int
+best_turn(const double rms[4], const double angle[4], int aligned)
+{
+	int k, best = 0, chosen;
+
+	for (k = 1; k < 4; k++)
+		if (rms[k] < rms[best] && (aligned || angle[k] <= angle[0] + TURN))
+			best = k;
+	for (chosen = best, k = 0; k < 4; k++)
+		if (rms[k] <= NEAR*rms[best] && angle[k] < angle[chosen])
+			chosen = k;
+	return chosen;
+}
+
 void
-quarters_check(const CmdInput *A, const Border *a, const CmdInput *B, const Border *b)
+quarters_check(const CmdInput *A, const Border *a, const CmdInput *B, const Border *b, int aligned)
 {
 	double *x = cmd_alloc(2*12*SIDE, sizeof *x), *y = x + 12*SIDE, rms[4], angle[4];
-	int k, best = 0;
+	int k, best;
 	Rigid r;
 
 	sample(a, 0, x);
@@ -43,17 +59,14 @@ quarters_check(const CmdInput *A, const Border *a, const CmdInput *B, const Bord
 		angle[k] = rigid_angle(&r);
 		detail("%s: %d quarter turns: borders %.3g of their size apart, %.3g degrees", B->name, k, rms[k],
 		    angle[k]*180/M_PI);
-		best = rms[k] < rms[best] ? k : best;
 	}
 	free(x);
 	if (k < 4)
 		return;
-	for (k = 0; k < 4; k++)
-		if (rms[k] <= NEAR*rms[best] && angle[k] < angle[best])
-			best = k;
+	best = best_turn(rms, angle, aligned);
 	if ((rms[0] > FAR && rms[0] > CLEAR*rms[best]) || angle[0] > angle[best] + TURN)
-		note("%s fits %s better with corners %d,%d,%d,%d (mesh2rect --like): then boundaries are %.2g of their "
-		    "size apart after a turn of %.0f degrees, now %.2g after %.0f", B->name, A->name, best%4 + 1,
+		note("%s fits %s better with corners %d,%d,%d,%d (mesh2rect --like): then boundaries are %.2g of "
+		    "their size apart after a turn of %.0f degrees, now %.2g after %.0f", B->name, A->name, best%4 + 1,
 		    (best + 1)%4 + 1, (best + 2)%4 + 1, (best + 3)%4 + 1, rms[best], angle[best]*180/M_PI, rms[0],
 		    angle[0]*180/M_PI);
 }

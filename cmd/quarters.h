@@ -6,7 +6,9 @@
 #include "cmd.h"
 
 /* Notes if the border of B would fit that of A clearly better with its corners a quarter
- * turn or more on: moved rigidly at equal conformal position, both of one size. */
-void quarters_check(const CmdInput *A, const Border *a, const CmdInput *B, const Border *b);
+ * turn or more on: at equal conformal position, both of one size, B moved rigidly.  If it is not to
+ * be so moved (aligned), turns of the corners that would want it do not count. */
+void quarters_check(const CmdInput *A, const Border *a, const CmdInput *B, const Border *b,
+	int aligned);
 
 #endif

@@ -80,7 +80,8 @@ keyed_init(Keyed *l, const Border *b, int n, const double *p, int *at)
 	size_t most = (size_t)b->n + n + 1;
 	int i, k = 0, e = 0;
 
-	*l = (Keyed){ 0, malloc(most*sizeof(double)), malloc(most*sizeof(double)), malloc(3*most*sizeof(double)) };
+	*l = (Keyed){ 0, malloc(most*sizeof(double)), malloc(most*sizeof(double)),
+	    malloc(3*most*sizeof(double)) };
 	if (!l->key || !l->r || !l->x)
 		e = MATCHING_ENOMEM;
 	while (!e && border_place(b, k) <= p[0] && k < b->n)
