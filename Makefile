@@ -120,7 +120,7 @@ fuzztargets: $(FUZZBIN)
 # Lines run by the tests: gcov's counts, a line for each file and each folder.
 coverage:
 	rm -rf build/coverage
-	$(MAKE) BUILD=build/coverage CFLAGS='-O0 -g --coverage -fprofile-update=atomic' CXXFLAGS='-O0 -g --coverage' \
+	$(MAKE) BUILD=build/coverage CFLAGS='-O1 -g --coverage' CXXFLAGS='-O1 -g --coverage' \
 	    LDFLAGS='$(LDFLAGS) --coverage' check
 	scripts/coverage build/coverage
 
