@@ -37,6 +37,7 @@ main(int argc, char *argv[])
 	Synth s;
 	Mesh m;
 
+	cmd_begin("mkmesh", head);              /* its name, for the words of kinds_manual */
 	cmd_begin("mkmesh", usage = kinds_manual(head));
 	while ((opt = cmd_getopt(argc, argv, "n:", longopt)) != -1)
 		switch (opt) {

@@ -60,11 +60,16 @@ done(Run *r)
 	fclose(r->err);
 }
 
+/* One line, which begins with the name of the command. */
 static int
-one_line(FILE *f)
+one_line(FILE *f, const char *command)
 {
+	const char *s = strrchr(command, '/') ? strrchr(command, '/') + 1 : command;
 	int c, lines = 0, last = 0;
 
+	for (; *s; s++)
+		if (getc(f) != *s)
+			return 0;
 	while ((c = getc(f)) != EOF) {
 		lines += c == '\n';
 		last = c;
@@ -103,13 +108,13 @@ count(const char *name)
 }
 
 static int
-good(int refused, int partly, Run *r, FILE *whole)
+good(int refused, int partly, const char *command, Run *r, FILE *whole)
 {
 	if (!WIFEXITED(r->status))
 		return 0;
 	if (!refused)
 		return WEXITSTATUS(r->status) == 0 && equal(r->out, whole);
-	return WEXITSTATUS(r->status) == 1 && one_line(r->err) &&
+	return WEXITSTATUS(r->status) == 1 && one_line(r->err, command) &&
 	    (partly ? !equal(r->out, whole) : empty(r->out));
 }
 
@@ -122,7 +127,7 @@ fault(char *argv[], long n, const char *more, FILE *whole)
 
 	snprintf(what, sizeof what, "%s %ld%s %s", argv[2], n, more, argv[3]);
 	r = run(argv + 5, what);
-	ok = good(refused, partly, &r, whole);
+	ok = good(refused, partly, argv[5], &r, whole);
 	if (!ok) {
 		printf("%s: FAULT='%s': not %s, status %x:\n", argv[5], what, argv[1], r.status);
 		rewind(r.err);

@@ -17,6 +17,11 @@ setup_file() {
 	export ASAN_OPTIONS=detect_leaks=0
 }
 
+# The counters of a coverage build ask for memory of their own, through the same door.
+setup() {
+	case $BUILD in *coverage) skip "coverage counters cannot be refused memory" ;; esac
+}
+
 # short_of SHARE COMMAND...: see tests/faults.c; 12 is ENOMEM.
 short_of() {
 	timeout 600 "$BUILD/tests/faults" refused memory 12 "$1" "$BUILD/faulty/$2" "${@:3}" </dev/null

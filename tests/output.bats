@@ -77,6 +77,7 @@ setup_file() {
 		[ $code = 0 ]
 	fi
 	echo old >"$tmp/small/x"
+	case $BUILD in *coverage) skip "coverage counters are too large for the limit" ;; esac
 	(ulimit -f 64 && try 1 'small/x: .*File too large' /dev/null mesh2rect -n 128 "$tmp/cap.off" -o "$tmp/small/x")
 	[ "$(cat "$tmp/small/x")" = old ]
 	[ "$(ls -A "$tmp/small")" = x ]
