@@ -1,9 +1,11 @@
 /* replay.c - gives a fuzz target the inputs named on the command line: files, or folders
- * of files.  Prints how many; fails where the target stops, or without any. */
+ * of files.  Prints how many; fails where the target stops, or does not for a minute, or
+ * without any. */
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "fuzz.h"
 
@@ -18,7 +20,9 @@ file(const char *path, FILE *f)
 
 	fuzz_need(!ferror(f) && n < sizeof bytes && exact, path);
 	memcpy(exact, bytes, n);
+	alarm(60);
 	LLVMFuzzerTestOneInput(exact, n);
+	alarm(0);
 	free(exact);
 	inputs++;
 }
