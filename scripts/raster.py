@@ -1,0 +1,86 @@
+"""raster.py - triangles to pixels with numpy, and pixels to PNG."""
+import struct
+import zlib
+
+import numpy as np
+
+CHUNK = 1 << 21                                 # candidate pixels at a time
+
+
+class Raster:
+    """What is seen in every pixel of a picture of h rows and w columns, the lowest row first:
+    tri, the number of the nearest triangle (-1: none), and bary, its three weights."""
+
+    def __init__(self, xyz, tri, w, h):
+        """xyz in pixels, z towards the eye."""
+        self.tri = np.full(w*h, -1)
+        self.bary = np.zeros((w*h, 3))
+        self.faces = tri
+        self.shape = h, w
+        self._depth = np.full(w*h, -np.inf)
+        p, z = xyz[tri][:, :, :2], xyz[tri][:, :, 2]
+        low = np.maximum(np.ceil(p.min(1)), 0).astype(int)
+        span = np.minimum(np.floor(p.max(1)), [w - 1, h - 1]).astype(int) - low + 1
+        self._det = cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
+        seen = np.flatnonzero((span > 0).all(1) & (self._det != 0))
+        parts = np.cumsum(span[seen].prod(1))//CHUNK
+        for part in np.unique(parts):
+            self._fill(p, z, low, span, seen[parts == part])
+        self.hit = self.tri >= 0
+
+    def _fill(self, p, z, low, span, some):
+        n = span[some].prod(1)
+        t = np.repeat(some, n)
+        k = np.arange(n.sum()) - np.repeat(np.cumsum(n) - n, n)
+        at = low[t] + np.stack([k % span[t, 0], k//span[t, 0]], 1)
+        b = cross(at - p[t, 0], p[t, 2] - p[t, 0])/self._det[t]
+        c = cross(p[t, 1] - p[t, 0], at - p[t, 0])/self._det[t]
+        bary = np.stack([1 - b - c, b, c], 1)
+        near = (bary*z[t]).sum(1)
+        pixel = at[:, 1]*self.shape[1] + at[:, 0]
+        keep = np.flatnonzero((bary >= -1e-9).all(1) & (near > self._depth[pixel]))
+        keep = keep[np.argsort(near[keep], kind='stable')]         # the nearest is written last
+        self._depth[pixel[keep]] = near[keep]
+        self.tri[pixel[keep]] = t[keep]
+        self.bary[pixel[keep]] = bary[keep]
+
+    def mix(self, value):
+        """A value of the vertices, interpolated at the pixels that are hit."""
+        corners = value[self.faces[self.tri[self.hit]]]
+        weight = self.bary[self.hit]
+        return np.einsum('pk,pk...->p...', weight, corners)
+
+    def edge_distance(self, xyz):
+        """Pixels from a hit pixel to the nearest edge of its triangle."""
+        t = self.tri[self.hit]
+        p = xyz[self.faces[t]]
+        sides = [np.linalg.norm((p[:, (k + 2) % 3] - p[:, (k + 1) % 3])[:, :2], axis=1) for k in range(3)]
+        return np.abs(self.bary[self.hit]*self._det[t][:, None]/np.stack(sides, 1)).min(1)
+
+    def picture(self, colour):
+        """rgb of the hit pixels on white, top row first."""
+        image = np.ones(self.tri.shape + (3,))
+        image[self.hit] = colour
+        return image.reshape(self.shape + (3,))[::-1]
+
+
+def cross(a, b):
+    return a[:, 0]*b[:, 1] - a[:, 1]*b[:, 0]
+
+
+def shrink(image, samples):
+    """Means over blocks of samples x samples pixels."""
+    h, w = image.shape[0]//samples, image.shape[1]//samples
+    return image.reshape(h, samples, w, samples, 3).mean((1, 3))
+
+
+def png(path, image):
+    rows = np.round(255*np.clip(image, 0, 1)).astype(np.uint8)
+    raw = b''.join(b'\0' + r.tobytes() for r in rows)
+
+    def chunk(kind, data):
+        return struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data))
+
+    head = struct.pack('>IIBBBBB', rows.shape[1], rows.shape[0], 8, 2, 0, 0, 0)
+    with open(path, 'wb') as f:
+        f.write(b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', head) + chunk(b'IDAT', zlib.compress(raw, 6)) + chunk(b'IEND', b''))
