@@ -8,6 +8,7 @@
 #   make coverage             lines that the tests run, by file (minutes)
 #   make soak                 what make check takes a share of, whole (minutes)
 #   make fuzz FUZZ_SECONDS=60 hostile inputs, so long for each target (clang 14)
+#   make paper                the paper's tables and figures on our surfaces, build/paper/report.md (minutes)
 
 include config.mk
 
@@ -127,6 +128,10 @@ coverage:
 bench: all tests
 	PATH="$(CURDIR)/$(BUILD)/bin:$$PATH" sh scripts/bench
 
+paper: all
+	scripts/deps --paper
+	PATH="$(CURDIR)/$(BUILD)/bin:$$PATH" scripts/paper $(BUILD)/paper
+
 install: all
 	mkdir -p $(DESTDIR)$(PREFIX)/bin
 	install -m 755 $(BIN) $(DESTDIR)$(PREFIX)/bin
@@ -137,7 +142,7 @@ uninstall:
 clean:
 	rm -rf build
 
-.PHONY: all tests demo check soak fuzz fuzztargets coverage bench install uninstall clean
+.PHONY: all tests demo check soak fuzz fuzztargets coverage bench paper install uninstall clean
 .SECONDARY: $(OBJ)
 
 -include $(OBJ:.o=.d)
