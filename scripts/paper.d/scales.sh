@@ -103,6 +103,7 @@ for role in $kinds; do
 done
 row man figure6
 row cortex figure7
+row buddha scales-buddha
 few
 distance_plot
 
@@ -110,6 +111,7 @@ say '## Figures 6 and 7: many scales' '' "Grids of $((cells + 1)) x $((cells + 1
 	"    mesh2rect -n $cells MESH -o A.lhg; grid2lh A.lhg | lhfft -K $scales | lh2grid -o B.lhg" ''
 shown figure6 "Figure 6: $(title man), lhfft -K"
 shown figure7 "Figure 7: $(title cortex), lhfft -K"
+shown scales-buddha "$(title buddha), lhfft -K; look at the head, far from the boundary, for dents"
 shown figure6-few "At 1 % a face is still a face. A face from few coefficients of either field: lhfft --keep"
 say '### Distance to the original' '' 'Mean over the nodes, percent of sqrt(area): `lhdiff A B`, `mean_rel`, B the grids of the stream.' ''
 scale_table mean
