@@ -31,6 +31,13 @@ morph_row() {
 	figure "$into" $side 3 "$@"
 }
 
+# largest_step FILE: where the distance changes most from a frame to the next: far more than
+# elsewhere where the solver goes over to another surface of nearly the same lambda and H.
+largest_step() {
+	awk '{ for (i = 2; i <= NF; i++) { d = $i - $(i-1); if (d < 0) d = -d; if (d > most) { most = d; at = i } }
+	       printf "The largest step of the distance is %.3g %%, to frame %d, the mean step %.3g %%.", most, at, ($NF - $1)/(NF - 1) }' "$1"
+}
+
 # morph_said NAME A B VIEW FIGURE: the words of the report.
 morph_said() {
 	start=$(column "$1" max_rel 100 | cut -d' ' -f1)
@@ -38,7 +45,7 @@ morph_said() {
 	shown "$5" "Figure ${5#figure}: $(title "$2") to $(title "$3"), $frames frames"
 	say "| \`lhdiff\` over sqrt(area) | largest, % |" '|---|---|' \
 		"| t = 0 against A | $(short "$start") |" "| t = 1 against B | $(short "$end") |" ''
-	say "Frames with faces that cross: $(frames_with "$1")." ''
+	say "Frames with faces that cross: $(frames_with "$1"). $(largest_step "$w/$1.hausdorff")" ''
 	at=$(rising $(cat "$w/$1.hausdorff"))
 	promise "${at:+at frame $at}" "$(title "$2") to $(title "$3"): the Hausdorff distance from the start rises from frame to frame"
 	wrong=$(awk -v a="$start" -v b="$end" 'BEGIN { if (!(a < 1.83 && b < 1.83)) print "to 1.83 %" }')
