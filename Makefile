@@ -101,8 +101,10 @@ check:
 	for t in $(FUZZ); do $(BUILD)/tests/fuzz/$$t tests/fuzz/corpus/$$t tests/lhg/good tests/lhg/bad || exit 1; done
 	bats tests
 
-soak: tests
+soak: all tests
 	LHG_CHANGES=1000000 $(BUILD)/tests/test_lhgdamage
+	SOAK=1 $(BUILD)/tests/test_memory
+	SOAK=1 bats $(patsubst %,tests/%.bats,kill memory output same)
 
 # The targets under libFuzzer, with what they need of the library and no more.
 FUZZ_SECONDS = 60
