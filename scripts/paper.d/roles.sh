@@ -18,6 +18,9 @@ mesh() {
 		buddha)   echo "$meshes/buddha_laughing_15k.off" ;;
 		spiral)   echo "$meshes/spiral_synthetic.off" ;;
 		moebius)  echo "$meshes/moebius_part.obj" ;;
+		bunny)    echo "$meshes/bunny_28k.ply" ;;
+		camel)    echo "$meshes/camelhead_11k.off" ;;
+		hemisphere) echo "$meshes/cortex_hemisphere_48k.ply" ;;
 		esac
 		return
 	fi
@@ -59,6 +62,9 @@ title() {
 	buddha)  echo 'Buddha' ;;
 	spiral)  echo 'spiral' ;;
 	moebius) echo 'part of a Moebius strip' ;;
+	bunny)   echo 'bunny' ;;
+	camel)   echo 'head of a camel' ;;
+	hemisphere) echo 'half a cortex' ;;
 	esac
 }
 
@@ -70,6 +76,9 @@ view() {
 	yes-buddha) echo --from=0,-1,0.2 --up=0,0,1 ;;
 	*-statue)   echo --from=-0.3,-0.7,1 --up=0,1,0 ;;
 	*-molar|*-lemur) echo --from=0.3,-0.5,1 ;;
+	yes-bunny)  echo --from=0.2,0.3,1 ;;
+	yes-camel)  echo --from=1,0.3,0.4 ;;
+	yes-hemisphere) echo --from=-1,0,0.1 --up=0,0,1 ;;
 	*-spiral)   echo --from=.2,.5,1 ;;
 	no-cortex)  echo --from=0,-0.4,1 ;;
 	*)          echo --from=0,0,1 ;;
