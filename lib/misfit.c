@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "misfit.h"
+#include "misfitborder.h"
 #include "misfitnode.h"
 
 static const double FINEST = 2;         /* turn of the normal over a cell beyond which H is clipped */
@@ -36,11 +37,11 @@ gradient2(const Misfit *m, size_t p)
 	return u*u + v*v;
 }
 
-static double
-weight(const Misfit *m, size_t p)
+double
+misfit_weight(const Misfit *m, size_t p, double gradient2)
 {
 	double l2 = m->lambda2[p], l2H = m->l2H2[p]/2;
-	double q2 = step2(m->g)*(l2H*l2H/l2 + 4*gradient2(m, p));
+	double q2 = step2(m->g)*(l2H*l2H/l2 + 4*gradient2);
 
 	if (l2*m->scale < LEAST)
 		return m->residue ? l2*m->scale/LEAST/(1 + 4*q2) : 0;
@@ -66,7 +67,7 @@ fill(Misfit *m, const double *lambda2, const double *l2H)
 	for (j = 1; j < m->g.nv - 1; j++)
 		for (i = 1; i < m->g.nu - 1; i++) {
 			p = (size_t)j*m->g.nu + i;
-			m->o[p] = weight(m, p);
+			m->o[p] = misfit_weight(m, p, gradient2(m, p));
 		}
 }
 
@@ -90,6 +91,13 @@ misfit_init(Misfit *m, Chart g, const double *lambda2, const double *l2H, const 
 }
 
 void
+misfit_set_free(Misfit *m)
+{
+	m->free = 1;
+	misfit_border_weights(m);
+}
+
+void
 misfit_free(Misfit *m)
 {
 	free(m->lambda2);
@@ -100,7 +108,7 @@ misfit_free(Misfit *m)
 	memset(m, 0, sizeof *m);
 }
 
-/* ---- sums over the inner nodes --------------------------------------- */
+/* ---- sums over the nodes ---------------------------------------------- */
 
 /* Rows are summed in their order, whatever the threads did. */
 static double
@@ -139,6 +147,8 @@ few(const Misfit *m, int i)
 double
 misfit_energy(const Misfit *m, const double *phi)
 {
+	double most;
+	size_t at;
 	int i, j, k;
 
 #pragma omp parallel for schedule(static) private(i, k)
@@ -150,7 +160,7 @@ misfit_energy(const Misfit *m, const double *phi)
 			for (k = 0; k < few(m, i); k++)
 				m->row[j] += e[k];
 		}
-	return total(m, m->row);
+	return total(m, m->row) + (m->free ? misfit_border_energy(m, phi, &at, &most) : 0);
 }
 
 size_t
@@ -161,6 +171,8 @@ misfit_worst(const Misfit *m, const double *phi)
 	int i, j, k;
 	Nodes e;
 
+	if (m->free)
+		misfit_border_energy(m, phi, &at, &most);
 	for (j = 1; j < m->g.nv - 1; j++)
 		for (i = 1; i < m->g.nu - 1; i += NODES) {
 			energy_of(m, phi, (size_t)j*m->g.nu + i, few(m, i), &e);

@@ -21,7 +21,11 @@
  * n is smooth where the surface folds over: it is 0 where phi_u x phi_v is, over a thousandth
  * of lambda^2 (not with a residue, where such places are not to be).
  *
- * Vectors of displacements and gradients are three fields [3][nv][nu], 0 on the border.
+ * Where the boundary is free, the border nodes add the last two lines too, with w/10 and
+ * differences that are one-sided across the border, of the second order as those inside.
+ *
+ * Vectors of displacements and gradients are three fields [3][nv][nu], 0 on the border unless
+ * it is free.
  */
 #ifndef MISFIT_H
 #define MISFIT_H
@@ -51,6 +55,7 @@ typedef struct Misfit {
 	double        *o;               /* [nv][nu] */
 	double        *row, *work;      /* of the sums and of the products */
 	const Residue *residue;         /* or NULL */
+	int            free;            /* the border nodes are unknowns */
 } Misfit;
 
 /* The fields lambda2 = lambda^2 > 0 and l2H = lambda^2 H are read, residue (or NULL) is kept.
@@ -59,7 +64,11 @@ typedef struct Misfit {
 int  misfit_init(Misfit *m, Chart g, const double *lambda2, const double *l2H, const Residue *residue);
 void misfit_free(Misfit *m);
 
-/* E, and the inner node that has the largest part of it. */
+/* From now on the boundary is free.  Residues are not defined on the border, which is held to
+ * be conformal. */
+void misfit_set_free(Misfit *m);
+
+/* E, and the node that has the largest part of it: an inner one unless the boundary is free. */
 double misfit_energy(const Misfit *m, const double *phi);
 size_t misfit_worst(const Misfit *m, const double *phi);
 
@@ -68,7 +77,7 @@ size_t misfit_worst(const Misfit *m, const double *phi);
 double misfit_scale_error(const Misfit *m, const double *phi);
 
 /* With J the derivative of the weighted residuals r at phi, E = |r|^2: J'r, half the
- * gradient of E, and J'J d, for inner displacements d. */
+ * gradient of E, and J'J d, for displacements d. */
 void misfit_gradient(const Misfit *m, const double *phi, double *g);
 void misfit_normal(const Misfit *m, const double *phi, const double *d, double *g);
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "misfit.h"
+#include "misfitborder.h"
 #include "misfitnode.h"
 
 /* What inner row j wants, nine rows f, to get nearer to J d; without d, to the residuals. */
@@ -45,7 +46,7 @@ spread_row(const Misfit *m, const double *phi, const double *d, int j, double *f
 {
 	int c, nu = m->g.nu;
 
-	if (j == 0 || j == m->g.nv - 1) {
+	if (j <= 0 || j >= m->g.nv - 1) {
 		memset(f, 0, 9*(size_t)nu*sizeof *f);
 		return;
 	}
@@ -59,8 +60,9 @@ spread_row(const Misfit *m, const double *phi, const double *d, int j, double *f
 
 /* The transposes of the differences: row j of g from what rows j-1, j, j+1 want. */
 static void
-gather_row(Chart chart, double *const f[3], int j, double *g)
+gather_row(const Misfit *m, double *const f[3], int j, double *g)
 {
+	Chart chart = m->g;
 	double h = chart.nu - 1, k = (chart.nv - 1)/chart.T;
 	int c, i, nu = chart.nu;
 
@@ -72,7 +74,8 @@ gather_row(Chart chart, double *const f[3], int j, double *g)
 		for (i = 1; i < nu - 1; i++)
 			out[i] = (u[i-1] - u[i+1])*(h/2) + (below[i] - above[i])*(k/2)
 			    + (L[i+1] - 2*L[i] + L[i-1])*(h*h) + (L2[i] - 2*L[i] + L0[i])*(k*k);
-		out[0] = out[nu-1] = 0;
+		out[0] = m->free ? L[1]*(h*h) - u[1]*(h/2) : 0;
+		out[nu-1] = m->free ? L[nu-2]*(h*h) + u[nu-2]*(h/2) : 0;
 	}
 }
 
@@ -87,7 +90,7 @@ strip(const Misfit *m, const double *phi, const double *d, int from, int to, dou
 	spread_row(m, phi, d, from, f[1]);
 	for (j = from; j < to; j++) {
 		spread_row(m, phi, d, j + 1, f[2]);
-		gather_row(m->g, f, j, g);
+		gather_row(m, f, j, g);
 		free = f[0], f[0] = f[1], f[1] = f[2], f[2] = free;
 	}
 }
@@ -102,7 +105,12 @@ apply(const Misfit *m, const double *phi, const double *d, double *g)
 	for (s = 0; s < strips; s++)
 		strip(m, phi, d, 1 + inner*s/strips, 1 + inner*(s + 1)/strips,
 		    m->work + (size_t)s*27*m->g.nu, g);
-	for (s = 0; s < 3; s++) {
+	if (m->free) {
+		strip(m, phi, d, 0, 1, m->work, g);
+		strip(m, phi, d, m->g.nv - 1, m->g.nv, m->work, g);
+		misfit_border_apply(m, phi, d, g);
+	}
+	for (s = 0; s < 3 && !m->free; s++) {
 		memset(g + s*n, 0, row);
 		memset(g + (s + 1)*n - m->g.nu, 0, row);
 	}

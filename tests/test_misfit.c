@@ -39,13 +39,15 @@ inner(int p)
 	return p%34 > 0 && p%34 < 33 && p/34%45 > 0 && p/34%45 < 44;
 }
 
+static int boundary_is_free;
+
 static void
 random_displacement(unsigned long long seed, double size, double *x)
 {
 	int p;
 
 	for (p = 0; p < 3*N; p++)
-		x[p] = inner(p%N) ? size*noise(&seed) : 0;
+		x[p] = boundary_is_free || inner(p%N) ? size*noise(&seed) : 0;
 }
 
 static Misfit
@@ -56,6 +58,8 @@ misfit_of(const Residue *r)
 	assert_int_equal(misfit_init(&m, CHART, lambda2, l2H, r), 0);
 	m.w = 40;
 	m.alpha = 0.6;
+	if (boundary_is_free)
+		misfit_set_free(&m);
 	return m;
 }
 
@@ -136,6 +140,81 @@ normal_matrix_is_that_of_the_gradient(void **state)
 	misfit_free(&m);
 }
 
+/* As these, with border nodes that move. */
+static void
+free_gradient_is_the_derivative(void **state)
+{
+	boundary_is_free = 1;
+	gradient_is_the_derivative(state);
+	boundary_is_free = 0;
+}
+
+/* Symmetric, and rigid motions are in its null space. */
+static void
+free_normal_matrix_is_symmetric(void **state)
+{
+	double most = 0, small = 0;
+	Misfit m;
+	int p;
+
+	(void)state;
+	surface_of_size(1);
+	boundary_is_free = 1;
+	m = misfit_of(NULL);
+	random_displacement(1, 1, d);
+	random_displacement(2, 1, e);
+	misfit_normal(&m, phi, d, f);
+	misfit_normal(&m, phi, e, g);
+	assert_true(fabs(field_dot(3*N, e, f)/field_dot(3*N, d, g) - 1) < 1e-12);
+	assert_true(field_dot(3*N, d, f) > 0);
+	for (p = 0; p < 3*N; p++)
+		most = fmax(most, fabs(f[p]));
+	for (p = 0; p < N; p++) {               /* (1,2,3) x phi + (4,5,6) */
+		d[p] = 2*phi[2*N+p] - 3*phi[N+p] + 4;
+		d[N+p] = 3*phi[p] - phi[2*N+p] + 5;
+		d[2*N+p] = phi[N+p] - 2*phi[p] + 6;
+	}
+	misfit_normal(&m, phi, d, f);
+	for (p = 0; p < 3*N; p++)
+		small = fmax(small, fabs(f[p]));
+	assert_true(small < 1e-9*most);
+	misfit_free(&m);
+	boundary_is_free = 0;
+}
+
+/* Each border node says something of its own, and nothing where its metric is lambda^2. */
+static void
+free_border_has_its_energy(void **state)
+{
+	double held, all;
+	Misfit m;
+	int p;
+
+	(void)state;
+	sample_immersion(plane, CHART, 1, (double *[3]){ phi, phi + N, phi + 2*N }, lambda, H);
+	for (p = 0; p < N; p++) {
+		lambda2[p] = lambda[p]*lambda[p];
+		l2H[p] = 0;
+	}
+	boundary_is_free = 1;
+	m = misfit_of(NULL);
+	assert_true(misfit_energy(&m, phi) < 1e-18);
+	for (p = 0; p < N; p++) {
+		if (inner(p))
+			continue;
+		m.lambda2[p] *= 1.5;
+		m.free = 0;
+		held = misfit_energy(&m, phi);
+		m.free = 1;
+		all = misfit_energy(&m, phi);
+		assert_true(held < 1e-18 && all > 1e-3);
+		assert_int_equal(misfit_worst(&m, phi), p);
+		m.lambda2[p] /= 1.5;
+	}
+	misfit_free(&m);
+	boundary_is_free = 0;
+}
+
 static void
 energy_has_no_unit_of_length(void **state)
 {
@@ -205,6 +284,9 @@ main(void)
 		cmocka_unit_test(energy_is_zero_at_the_surface),
 		cmocka_unit_test(gradient_is_the_derivative),
 		cmocka_unit_test(normal_matrix_is_that_of_the_gradient),
+		cmocka_unit_test(free_gradient_is_the_derivative),
+		cmocka_unit_test(free_normal_matrix_is_symmetric),
+		cmocka_unit_test(free_border_has_its_energy),
 		cmocka_unit_test(energy_has_no_unit_of_length),
 		cmocka_unit_test(single_nodes_do_no_harm),
 		cmocka_unit_test(threads_change_no_bit),
