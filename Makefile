@@ -87,7 +87,7 @@ $(BUILD)/%.o: %.cc config.mk
 $(BUILD)/lib/product.o: ALL_CFLAGS += -ffp-contract=fast
 
 # Several nodes at a time.
-$(BUILD)/lib/misfit.o $(BUILD)/lib/misfitapply.o $(BUILD)/lib/sine.o: ALL_CFLAGS += -O3 -fno-math-errno
+$(BUILD)/lib/misfit.o $(BUILD)/lib/misfitapply.o $(BUILD)/lib/sine.o $(BUILD)/lib/cosine.o: ALL_CFLAGS += -O3 -fno-math-errno
 
 demo:
 	scripts/deps

@@ -9,6 +9,8 @@
 static const double BLUNT_W = 30, BLUNT_ALPHA = 1, SHARP_W = 100, SHARP_ALPHA = 0.1;
 static const double TENSION = 3;        /* of the plate in w^2: what took the fewest steps */
 enum { MOST_CG = 60, TEN = 10 };
+enum { MOST_CG_FREE = 20 };             /* with a free boundary: more are spent on bending that the
+                                         * next step undoes; 60 take four times as long */
 static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a Gauss-Newton step */
 static const double FLAT = 1e-6;        /* share of E not worth another step */
 static const double CREEP = 1e-4;       /* share of E that ten steps must take */
@@ -45,7 +47,7 @@ prepare(Work *k, Misfit *m)
 	k->q = malloc(k->n*sizeof(double));
 	k->d = malloc(k->n*sizeof(double));
 	k->y = malloc(k->n*sizeof(double));
-	if (!k->r || !k->z || !k->p || !k->q || !k->d || !k->y || plate_init(&k->plate, m->g)) {
+	if (!k->r || !k->z || !k->p || !k->q || !k->d || !k->y || plate_init(&k->plate, m->g, m->free)) {
 		release(k);
 		return FIT_ENOMEM;
 	}
@@ -75,14 +77,14 @@ static double
 conjugate_gradients(Work *k, const double *phi, double *length)
 {
 	double rz, stop, dd = 0, dp = 0, pp, fall = 0, old, t;
-	int steps, out;
+	int steps, out, most = k->m->free ? MOST_CG_FREE : MOST_CG;
 
 	memset(k->d, 0, k->n*sizeof *k->d);
 	precondition(k);
 	memcpy(k->p, k->z, k->n*sizeof *k->p);
 	pp = rz = field_dot(k->n, k->r, k->z);
 	stop = REDUCTION*REDUCTION*rz;
-	for (steps = 0; rz > stop && steps < MOST_CG; steps++) {
+	for (steps = 0; rz > stop && steps < most; steps++) {
 		misfit_normal(k->m, phi, k->p, k->q);
 		t = rz/field_dot(k->n, k->p, k->q);
 		out = !(dd + 2*t*dp + t*t*pp < k->radius*k->radius);

@@ -30,7 +30,7 @@ typedef struct FitOptions {
 } FitOptions;
 
 /* m       in      the misfit, whose w and alpha are set here
- * phi     in/out  [3][nv][nu]: the border is held, the rest a start
+ * phi     in/out  [3][nv][nu]: a start; the border is held unless it is free (m->free)
  * at      out     of the last step; its cost is added to
  *
  * At first w = 30 and alpha = 1, which converges from afar and leaves no wrinkles where

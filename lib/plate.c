@@ -1,4 +1,4 @@
-/* plate.c - sine transforms of three fields at once.
+/* plate.c - sine or cosine transforms of three fields at once.
  *
  * Two-dimensional transforms are made of one-dimensional ones, so that threads share the
  * rows of all three fields and no plan depends on their number.  Columns are taken out
@@ -14,24 +14,35 @@
 
 enum { WIDTH = 8 };             /* columns taken at a time: a line of the cache */
 
+/* Those of waves first, first + 1, .., n of them, over N steps. */
 static double *
-eigenvalues(int n, double step)
+eigenvalues(int n, int first, int N, double step)
 {
 	double *e = malloc(n*sizeof *e);
 	int k;
 
 	for (k = 0; e && k < n; k++)
-		e[k] = (2 - 2*cos(M_PI*(k + 1)/(n + 1)))/(step*step);
+		e[k] = (2 - 2*cos(M_PI*(k + first)/N))/(step*step);
 	return e;
+}
+
+/* Nodes that are unknown, along u or v of so many. */
+static int
+unknown(const Plate *p, int n)
+{
+	return p->free ? n : n - 2;
 }
 
 void
 plate_free(Plate *p)
 {
-	sine_free(&p->along_u);
-	sine_free(&p->along_v);
-	free(p->eigenvalue[0]);
-	free(p->eigenvalue[1]);
+	int k;
+
+	for (k = 0; k < 2; k++) {
+		sine_free(&p->sine[k]);
+		cosine_free(&p->cosine[k]);
+		free(p->eigenvalue[k]);
+	}
 	fftw_free(p->work);
 	memset(p, 0, sizeof *p);
 }
@@ -47,22 +58,25 @@ columns(const Plate *p)
 static size_t
 room(const Plate *p)
 {
-	size_t u = sine_room(&p->along_u), v = sine_room(&p->along_v);
+	size_t u = p->free ? cosine_room(&p->cosine[0]) : sine_room(&p->sine[0]);
+	size_t v = p->free ? cosine_room(&p->cosine[1]) : sine_room(&p->sine[1]);
 
 	return columns(p) + ((u > v ? u : v) + 7)/8*8;
 }
 
 int
-plate_init(Plate *p, Chart g)
+plate_init(Plate *p, Chart g, int free)
 {
-	int e;
+	int e, first = free ? 0 : 1, nodes[2] = { g.nu, g.nv }, k;
+	double step[2] = { chart_h(g), chart_k(g) };
 
-	*p = (Plate){ .g = g };
-	p->eigenvalue[0] = eigenvalues(g.nu - 2, chart_h(g));
-	p->eigenvalue[1] = eigenvalues(g.nv - 2, chart_k(g));
-	e = sine_init(&p->along_u, g.nu - 2);
-	if (!e)
-		e = sine_init(&p->along_v, g.nv - 2);
+	*p = (Plate){ .g = g, .free = free };
+	for (e = k = 0; !e && k < 2; k++) {
+		int n = unknown(p, nodes[k]);
+
+		p->eigenvalue[k] = eigenvalues(n, first, nodes[k] - 1, step[k]);
+		e = free ? cosine_init(&p->cosine[k], n) : sine_init(&p->sine[k], n);
+	}
 	if (!e)
 		p->work = fftw_alloc_real(omp_get_max_threads()*room(p));
 	if (p->work && p->eigenvalue[0] && p->eigenvalue[1])
@@ -71,23 +85,39 @@ plate_init(Plate *p, Chart g)
 	return PLATE_ENOMEM;
 }
 
-/* `width` columns from column i of the field whose first inner node is z. */
+static void
+transform(const Plate *p, int along, double *f, double *work)
+{
+	if (p->free)
+		cosine_transform(&p->cosine[along], f, work);
+	else
+		sine_transform(&p->sine[along], f, work);
+}
+
+/* c of the free plate. */
+static double
+shift(const Plate *p, double b)
+{
+	return p->free ? b*fmin(p->eigenvalue[0][1], p->eigenvalue[1][1]) : 0;
+}
+
+/* `width` columns from column i of the field whose first unknown node is z. */
 static void
 solve_columns(const Plate *p, double a, double b, int i, int width, double *column, double *z)
 {
-	int n = p->g.nv - 2, nu = p->g.nu, j, k;
-	double norm = (p->g.nu - 1.0)*(p->g.nv - 1.0)/4, e, *work = column + columns(p);
+	int n = unknown(p, p->g.nv), nu = p->g.nu, j, k;
+	double norm = (p->g.nu - 1.0)*(p->g.nv - 1.0)/4, c = shift(p, b), e, *work = column + columns(p);
 
 	for (j = 0; j < n; j++)
 		for (k = 0; k < width; k++)
 			column[k*n+j] = z[(size_t)j*nu + i + k];
 	for (k = 0; k < width; k++) {
-		sine_transform(&p->along_v, column + k*n, work);
+		transform(p, 1, column + k*n, work);
 		for (j = 0; j < n; j++) {
 			e = p->eigenvalue[0][i+k] + p->eigenvalue[1][j];
-			column[k*n+j] /= norm*e*(a*e + b);
+			column[k*n+j] /= p->free ? norm*(e*(a*e + b) + c) : norm*e*(a*e + b);
 		}
-		sine_transform(&p->along_v, column + k*n, work);
+		transform(p, 1, column + k*n, work);
 	}
 	for (j = 0; j < n; j++)
 		for (k = 0; k < width; k++)
@@ -101,17 +131,37 @@ transform_rows(const Plate *p, double *z, double *work)
 
 #pragma omp for schedule(static)
 	for (j = 0; j < rows; j++) {
-		if (j%p->g.nv != 0 && j%p->g.nv != p->g.nv - 1)
-			sine_transform(&p->along_u, z + (size_t)j*p->g.nu + 1, work);
+		if (p->free)
+			transform(p, 0, z + (size_t)j*p->g.nu, work);
+		else if (j%p->g.nv != 0 && j%p->g.nv != p->g.nv - 1)
+			transform(p, 0, z + (size_t)j*p->g.nu + 1, work);
+	}
+}
+
+/* z = W^-1 z */
+static void
+unweigh(Chart g, double *z)
+{
+	int rows = 3*g.nv, i, j;
+
+	for (j = 0; j < rows; j++) {
+		double *row = z + (size_t)j*g.nu;
+
+		row[0] *= 2;
+		row[g.nu-1] *= 2;
+		for (i = 0; i < g.nu && (j%g.nv == 0 || j%g.nv == g.nv - 1); i++)
+			row[i] *= 2;
 	}
 }
 
 void
 plate_solve(const Plate *p, double a, double b, double *z)
 {
-	int inner = p->g.nu - 2, groups = (inner + WIDTH - 1)/WIDTH;
-	size_t n = (size_t)p->g.nu*p->g.nv;
+	int unknowns = unknown(p, p->g.nu), groups = (unknowns + WIDTH - 1)/WIDTH;
+	size_t n = (size_t)p->g.nu*p->g.nv, first = p->free ? 0 : p->g.nu + 1;
 
+	if (p->free)
+		unweigh(p->g, z);
 #pragma omp parallel
 	{
 		double *column = p->work + omp_get_thread_num()*room(p);
@@ -120,9 +170,9 @@ plate_solve(const Plate *p, double a, double b, double *z)
 		transform_rows(p, z, column + columns(p));
 #pragma omp for schedule(static)
 		for (q = 0; q < 3*groups; q++) {
-			int i = q%groups*WIDTH, width = inner - i < WIDTH ? inner - i : WIDTH;
+			int i = q%groups*WIDTH, width = unknowns - i < WIDTH ? unknowns - i : WIDTH;
 
-			solve_columns(p, a, b, i, width, column, z + q/groups*n + p->g.nu + 1);
+			solve_columns(p, a, b, i, width, column, z + q/groups*n + first);
 		}
 		transform_rows(p, z, column + columns(p));
 	}

@@ -69,7 +69,7 @@ plate_inverts(void **state)
 				for (i = 1; i < g.nu - 1; i++)
 					x[c*n + j*g.nu + i] = noise(&seed);
 		memcpy(z, x, sizeof x);
-		assert_int_equal(plate_init(&plate, g), 0);
+		assert_int_equal(plate_init(&plate, g, 0), 0);
 		plate_solve(&plate, 0.3, 50, z);
 		for (c = 0; c < 3; c++) {
 			memset(y, 0, sizeof y);
@@ -78,6 +78,85 @@ plate_inverts(void **state)
 			minus_laplacian(g, y, yy);
 			for (p = 0; p < n; p++)
 				assert_true(fabs(0.3*yy[p] + 50*y[p] - x[c*n+p]) < 1e-9);
+		}
+		plate_free(&plate);
+	}
+}
+
+static void
+transforms_are_sums_of_cosines(void **state)
+{
+	static const int sizes[] = { 2, 3, 4, 5, 8, 13, 32, 60 };
+	double f[60], F[60], *work, sum;
+	unsigned long long seed = 1;
+	Cosine s;
+	int q, j, k, n;
+
+	(void)state;
+	for (q = 0; q < 8; q++) {
+		n = sizes[q];
+		assert_int_equal(cosine_init(&s, n), 0);
+		work = fftw_alloc_real(cosine_room(&s));
+		for (j = 0; j < n; j++)
+			F[j] = f[j] = noise(&seed);
+		cosine_transform(&s, F, work);
+		for (k = 0; k < n; k++) {
+			for (sum = 0, j = 0; j < n; j++)
+				sum += (j == 0 || j == n - 1 ? 0.5 : 1)*f[j]*cos(M_PI*j*k/(n - 1));
+			assert_true(fabs(F[k] - sum) < 1e-12);
+		}
+		fftw_free(work);
+		cosine_free(&s);
+	}
+}
+
+static int
+mirrored(int i, int n)
+{
+	return i < 0 ? -i : i >= n ? 2*(n - 1) - i : i;
+}
+
+/* y = -Delta x on all nodes, x mirrored at the border. */
+static void
+minus_laplacian_mirrored(Chart g, const double *x, double *y)
+{
+	double h2 = chart_h(g)*chart_h(g), k2 = chart_k(g)*chart_k(g);
+	int i, j, p;
+
+	for (p = j = 0; j < g.nv; j++)
+		for (i = 0; i < g.nu; i++, p++)
+			y[p] = (2*x[p] - x[j*g.nu + mirrored(i-1, g.nu)] - x[j*g.nu + mirrored(i+1, g.nu)])/h2
+			    + (2*x[p] - x[mirrored(j-1, g.nv)*g.nu + i] - x[mirrored(j+1, g.nv)*g.nu + i])/k2;
+}
+
+static void
+free_plate_inverts(void **state)
+{
+	static const Chart charts[] = { { 18, 13, 0.7 }, { 13, 18, 1.6 }, { 3, 3, 1 }, { 4, 3, 2 }, { 3, 30, 2 } };
+	double x[3*234], z[3*234], y[234], yy[234], least, weight;
+	unsigned long long seed = 7;
+	int q, c, i, j, p, n;
+	Plate plate;
+
+	(void)state;
+	for (q = 0; q < 5; q++) {
+		Chart g = charts[q];
+
+		n = g.nu*g.nv;
+		least = fmin((2 - 2*cos(M_PI/(g.nu - 1)))/(chart_h(g)*chart_h(g)),
+		    (2 - 2*cos(M_PI/(g.nv - 1)))/(chart_k(g)*chart_k(g)));
+		for (p = 0; p < 3*n; p++)
+			z[p] = x[p] = noise(&seed);
+		assert_int_equal(plate_init(&plate, g, 1), 0);
+		plate_solve(&plate, 0.3, 50, z);
+		for (c = 0; c < 3; c++) {
+			minus_laplacian_mirrored(g, z + c*n, y);
+			minus_laplacian_mirrored(g, y, yy);
+			for (p = 0; p < n; p++) {
+				i = p%g.nu, j = p/g.nu;
+				weight = (i == 0 || i == g.nu - 1 ? 0.5 : 1)*(j == 0 || j == g.nv - 1 ? 0.5 : 1);
+				assert_true(fabs(weight*(0.3*yy[p] + 50*y[p] + 50*least*z[c*n+p]) - x[c*n+p]) < 1e-9);
+			}
 		}
 		plate_free(&plate);
 	}
@@ -99,12 +178,12 @@ threads_change_no_bit(void **state)
 	memcpy(one, x, sizeof x);
 	memcpy(three, x, sizeof x);
 	omp_set_num_threads(1);
-	assert_int_equal(plate_init(&plate, g), 0);
+	assert_int_equal(plate_init(&plate, g, 0), 0);
 	plate_solve(&plate, 1, 1, one);
 	dot[0] = field_dot(3*70*50, x, one);
 	plate_free(&plate);
 	omp_set_num_threads(3);
-	assert_int_equal(plate_init(&plate, g), 0);
+	assert_int_equal(plate_init(&plate, g, 0), 0);
 	plate_solve(&plate, 1, 1, three);
 	dot[1] = field_dot(3*70*50, x, three);
 	plate_free(&plate);
@@ -119,6 +198,8 @@ main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(transforms_are_sums_of_sines),
 		cmocka_unit_test(plate_inverts),
+		cmocka_unit_test(transforms_are_sums_of_cosines),
+		cmocka_unit_test(free_plate_inverts),
 		cmocka_unit_test(threads_change_no_bit),
 	};
 
