@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "anchor.h"
 #include "frame.h"
 #include "resample.h"
 #include "surface.h"
@@ -53,17 +54,17 @@ level_free(Level *l)
 	free(l->phi);
 }
 
-/* Inner nodes of phi from another grid, times a factor; its border stays. */
+/* Nodes of phi from another grid, times a factor; so many rings stay. */
 static int
-fill_inside(Chart from, const double end[2], const double *f, double factor, Chart g, double *phi)
+fill(Chart from, const double end[2], const double *f, double factor, Chart g, int rings, double *phi)
 {
 	double *t = malloc(nodes(g)*sizeof *t);
 	int c, i, j, e = t ? 0 : SURFACE_ENOMEM;
 
 	for (c = 0; !e && c < 3; c++) {
 		e = resample_cubic(from, end, f + c*nodes(from), g, t);
-		for (j = 1; !e && j < g.nv - 1; j++)
-			for (i = 1; i < g.nu - 1; i++)
+		for (j = rings; !e && j < g.nv - rings; j++)
+			for (i = rings; i < g.nu - rings; i++)
 				phi[c*nodes(g) + (size_t)j*g.nu + i] = t[(size_t)j*g.nu + i]*factor;
 	}
 	free(t);
@@ -90,13 +91,15 @@ coarsen(const Level *f, Level *l)
 }
 
 static int
-fit_level(const Level *l, const Residue *residue, const FitOptions *o, FitProgress *at)
+fit_level(const Level *l, const Residue *residue, int free, const FitOptions *o, FitProgress *at)
 {
 	Misfit m;
 	int r;
 
 	if (misfit_init(&m, l->g, l->lambda2, l->l2H, residue))
 		return SURFACE_ENOMEM;
+	if (free)
+		misfit_set_free(&m);
 	at->cost *= nodes((Chart){ at->nu, at->nv, 1 })/(double)nodes(l->g);
 	r = fit(&m, o, l->phi, at);
 	at->cost += at->solves;
@@ -137,34 +140,34 @@ resolves(const Surface *s, Chart g)
 	return s->start && s->start_chart.nu >= g.nu && s->start_chart.nv >= g.nv;
 }
 
-/* Finds phi of level l, whose border is given, from that of the level below it. */
+/* Finds phi of level l, whose border is given if it is held, from that of the level below it. */
 static int
 descend(const Surface *s, double unit, const Level *l, const FitOptions *o, double *finest,
 	FitProgress *at)
 {
 	FitOptions way = *o;
 	Level below = { .phi = NULL };
-	int r;
+	int r, rings = s->free ? 0 : 1;
 
 	if (has_coarser(l->g) && !resolves(s, l->g)) {
 		r = coarsen(l, &below);
 		if (!r)
 			r = descend(s, unit, &below, o, finest, at);
 		if (r >= 0)
-			r = fill_inside(below.g, WHOLE, below.phi, 1, l->g, l->phi);
+			r = fill(below.g, WHOLE, below.phi, 1, l->g, rings, l->phi);
 		level_free(&below);
 	} else if (s->start)
-		r = fill_inside(s->start_chart, s->start_end, s->start, 1/unit, l->g, l->phi);
+		r = fill(s->start_chart, s->start_end, s->start, 1/unit, l->g, rings, l->phi);
 	else
 		r = start_from_frame(s, l, finest);
 	if (r < 0)
 		return r;
 	if (l->phi == finest)
-		return fit_level(l, s->residue, o, at);
+		return fit_level(l, s->residue, s->free, o, at);
 	way.tolerance = o->tolerance > ENOUGH ? o->tolerance : ENOUGH;
 	way.most = ROUGH;
 	way.sharpen = 0;
-	return fit_level(l, NULL, &way, at);
+	return fit_level(l, NULL, s->free, &way, at);
 }
 
 /* Coarsening takes 0 times what lies inside, which must not be what is not a number. */
@@ -200,6 +203,44 @@ scale(size_t n, double factor, double *phi)
 		phi[p] *= factor;
 }
 
+/* What the surface is to be placed by. */
+static int
+target(const Surface *s, double unit, const double *phi, Anchor *a)
+{
+	double *t;
+	int e;
+
+	if (!s->adrift)
+		return anchor_init(a, s->g, 1, phi);
+	t = malloc(3*nodes(s->g)*sizeof *t);
+	e = t ? fill(s->start_chart, s->start_end, s->start, 1/unit, s->g, 0, t) : SURFACE_ENOMEM;
+	if (!e)
+		e = anchor_init(a, s->g, 0, t);
+	free(t);
+	return e;
+}
+
+/* All of it where the boundary is free: a start is found, as if the boundary were held, moved
+ * freely, and put into its place. */
+static int
+descend_free(const Surface *s, double unit, const Level *finest, const FitOptions *o, FitProgress *at)
+{
+	Anchor a = { .n = 0 };
+	int r = 0, e = 0;
+
+	if (!s->adrift)
+		e = target(s, unit, finest->phi, &a);
+	clear_inside(s->g, s->start ? 0 : FRAME_BAND, finest->phi);
+	if (!e)
+		r = descend(s, unit, finest, o, finest->phi, at);
+	if (!e && r > 0 && s->adrift)
+		e = target(s, unit, NULL, &a);
+	if (!e && r > 0)
+		e = anchor_place(&a, s->g, finest->phi);
+	anchor_free(&a);
+	return e == ANCHOR_EVALUE ? SURFACE_EPLACE : e ? SURFACE_ENOMEM : r;
+}
+
 int
 surface(const Surface *s, const FitOptions *o, double *phi, FitProgress *at)
 {
@@ -216,9 +257,10 @@ surface(const Surface *s, const FitOptions *o, double *phi, FitProgress *at)
 			finest.lambda2[p] = s->lambda[p]/unit*(s->lambda[p]/unit);
 			finest.l2H[p] = finest.lambda2[p]*(s->H[p]*unit);
 		}
-		clear_inside(s->g, s->start ? 1 : FRAME_BAND, phi);
+		if (!s->free)
+			clear_inside(s->g, s->start ? 1 : FRAME_BAND, phi);
 		scale(3*n, 1/unit, phi);
-		r = descend(s, unit, &finest, o, phi, at);
+		r = s->free ? descend_free(s, unit, &finest, o, at) : descend(s, unit, &finest, o, phi, at);
 		scale(3*n, unit, phi);
 	}
 	free(finest.lambda2);
