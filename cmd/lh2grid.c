@@ -17,6 +17,7 @@ static const char text[] =
 "  -t, --tolerance=X  surface: stop when a step moves the nodes by less than X, root mean\n"
 "                     square over the square root of the area [5e-5]\n"
 "  -s, --steps=N      surface: give up after N steps on the grid, 1..10000 [200]\n"
+"  -b, --boundary=held|free  surface: keep the curve of the band, or find it too [held]\n"
 "      --no-start     do not use start.x start.y start.z\n"
 "      --ideal        do not use nu1 nu2 tau1 tau2 (grid2lh --residual)\n"
 CMD_USAGE
@@ -25,7 +26,12 @@ CMD_USAGE
 "by Gauss-Newton steps, on a grid of 4225 nodes or some more first, then twice as fine until\n"
 "the whole grid.  The start only chooses among the surfaces that have\n"
 "this lambda, H and boundary; where there is none, the frame method gives it on the coarsest\n"
-"grid (from three rings of band).  What does not converge is refused.  Memory: about 31\n"
+"grid (from three rings of band).\n"
+"With --boundary=free the border nodes are sought too, by the metric alone, and the surface\n"
+"is moved as a rigid body until its border comes nearest to the band's; without a band, until\n"
+"it comes nearest to the start.  lambda and H determine a surface up to motions, but for those\n"
+"that bend and keep both (constant H, developables): near these the result is soft, and held\n"
+"is the better.  What does not converge is refused.  Memory: about 31\n"
 "numbers a node in all, 26 MB at 257 x 257, 252 MB at 1025 x 1025.\n"
 "The frame method: least squares of the Codazzi equations, of the natural frame equations\n"
 "(13) and of x_u and x_v, on cell centres, three rings of band given.  257 x 257 nodes take\n"
@@ -36,6 +42,7 @@ static const struct option longopt[] = {
 	{ "method",    required_argument, NULL, 'm' },
 	{ "tolerance", required_argument, NULL, 't' },
 	{ "steps",     required_argument, NULL, 's' },
+	{ "boundary",  required_argument, NULL, 'b' },
 	{ "no-start",  no_argument,       NULL, 'S' },
 	{ "ideal",     no_argument,       NULL, 'i' },
 	CMD_LONGOPT
@@ -49,7 +56,7 @@ read_band(const CmdInput *in, const Lhg *g, int rings, double *phi)
 	LhgChannel *b;
 	int c;
 
-	for (c = 0; c < 3; c++) {
+	for (c = 0; c < 3 && rings; c++) {
 		cmd_need(in, g, band[c], LHG_BORDER);
 		b = lhg_find(g, band[c]);
 		if (b->step < rings)
@@ -88,7 +95,7 @@ replace(const CmdInput *in, Lhg *g, const double *phi)
 	double *f;
 	int c;
 
-	snprintf(unit, sizeof unit, "%s", lhg_find(g, "band.x")->unit);
+	snprintf(unit, sizeof unit, "%s", lhg_find(g, lhg_find(g, "band.x") ? "band.x" : "start.x")->unit);
 	for (i = 0; i < sizeof used/sizeof *used; i++)
 		lhg_drop(g, used[i]);
 	for (c = 0; c < 3; c++) {
@@ -135,14 +142,17 @@ main(int argc, char *argv[])
 	Lhg g;
 
 	cmd_begin("lh2grid", text);
-	while ((opt = cmd_getopt(argc, argv, "m:t:s:", longopt)) != -1)
+	while ((opt = cmd_getopt(argc, argv, "m:t:s:b:", longopt)) != -1)
 		switch (opt) {
 		case 'm': method = opt_word(optarg, "surface\0frame\0", "method"); break;
 		case 't': o.tolerance = opt_double(optarg, 1e-14, 1, "tolerance"); break;
 		case 's': o.steps = opt_long(optarg, 1, 10000, "steps"); break;
+		case 'b': o.free = opt_word(optarg, "held\0free\0", "boundary"); break;
 		case 'S': o.no_start = 1; break;
 		case 'i': o.ideal = 1; break;
 		}
+	if (method && o.free)
+		misuse("--boundary=free is for the surface method");
 	cmd_operands(argc, argv, 0, 1);
 	cmd_binary_output();
 

@@ -20,10 +20,18 @@ has_start(const Lhg *g, const SurfaceFit *o)
 	return !o->no_start && lhg_find(g, START[0]);
 }
 
+static int
+has_band(const Lhg *g)
+{
+	return lhg_find(g, "band.x") || lhg_find(g, "band.y") || lhg_find(g, "band.z");
+}
+
 int
 surfacefit_rings(const Lhg *g, const SurfaceFit *o)
 {
-	return has_start(g, o) ? 1 : FRAME_BAND;
+	if (!has_start(g, o))
+		return FRAME_BAND;
+	return o->free && !has_band(g) ? 0 : 1;
 }
 
 /* The lattice as three fields, and its place in the rectangle. */
@@ -102,6 +110,10 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi)
 	FitProgress at;
 	Residue residue;
 
+	s.free = o->free;
+	s.adrift = o->free && !surfacefit_rings(g, o);
+	if (s.free && (g->nu < 3 || g->nv < 3))
+		die("%s: %d x %d nodes, a free boundary needs at least 3 x 3", in->name, g->nu, g->nv);
 	if (read_residue(in, g, o, &residue)) {
 		s.residue = &residue;
 		how.tolerance *= EXACT;
@@ -111,6 +123,7 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi)
 	case 0: die("%s: no convergence in %d steps: energy %.4g, change %.2g, the largest residual at node (%d,%d)",
 	    in->name, at.step, at.energy, at.change, (int)(at.worst%g->nu), (int)(at.worst/g->nu));
 	case SURFACE_ESTART: die("%s: no start, and the frame method finds none from the band", in->name);
+	case SURFACE_EPLACE: die("%s: the %s is too large to place the surface by it", in->name, s.adrift ? "start" : "band");
 	default: die("%s: no memory for the surface of %d x %d nodes", in->name, g->nu, g->nv);
 	}
 	detail("%s: %.1f vector Poisson solves of %d x %d nodes, %.2f s", in->name, at.cost, g->nu, g->nv,

@@ -7,13 +7,14 @@
 
 typedef struct SurfaceFit {
 	double tolerance;
-	int    steps, no_start, ideal;
+	int    steps, no_start, ideal, free;
 } SurfaceFit;
 
-/* Rings of band that are needed: all but one are for a start. */
+/* Rings of band that are needed: all but one are for a start, and that one for a boundary
+ * that is held; one that is free is placed by it where there is a band. */
 int surfacefit_rings(const Lhg *g, const SurfaceFit *o);
 
-/* phi[3][nv][nu] has the band, and becomes the surface; dies if there is none. */
+/* phi[3][nv][nu] has those rings, and becomes the surface; dies if there is none. */
 void surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi);
 
 #endif
