@@ -5,6 +5,7 @@
 #include "../lib/frame.h"
 #include "claim.h"
 #include "cmd.h"
+#include "follow.h"
 #include "range.h"
 #include "surfacefit.h"
 
@@ -18,21 +19,25 @@ static const char text[] =
 "                     square over the square root of the area [5e-5]\n"
 "  -s, --steps=N      surface: give up after N steps on the grid, 1..10000 [200]\n"
 "  -b, --boundary=held|free  surface: keep the curve of the band, or find it too [held]\n"
+"  -f, --follow       surface: start every frame of a stream but the first from the surface\n"
+"                     before it, not from its own start\n"
 "      --no-start     do not use start.x start.y start.z\n"
 "      --ideal        do not use nu1 nu2 tau1 tau2 (grid2lh --residual)\n"
 CMD_USAGE
 "The surface method minimises, with the boundary curve held,\n"
 "  |Delta phi - 2 lambda^2 H n|^2 + w^2 (the metric minus lambda^2)^2\n"
 "by Gauss-Newton steps, on a grid of 4225 nodes or some more first, then twice as fine until\n"
-"the whole grid.  The start only chooses among the surfaces that have\n"
-"this lambda, H and boundary; where there is none, the frame method gives it on the coarsest\n"
-"grid (from three rings of band).\n"
+"the whole grid.  The start only chooses among the surfaces that have this lambda, H and\n"
+"boundary; where there is none, the frame method gives it on the coarsest grid (from three\n"
+"rings of band).\n"
 "With --boundary=free the border nodes are sought too, by the metric alone, and the surface\n"
 "is moved as a rigid body until its border comes nearest to the band's; without a band, until\n"
 "it comes nearest to the start.  lambda and H determine a surface up to motions, but for those\n"
 "that bend and keep both (constant H, developables): near these the result is soft, and held\n"
-"is the better.  What does not converge is refused.  Memory: about 31\n"
-"numbers a node in all, 26 MB at 257 x 257, 252 MB at 1025 x 1025.\n"
+"is the better.  A morph whose boundary turns or folds in between wants --boundary=free\n"
+"--follow; with the boundary held --follow gives the same surfaces at the same cost.  What\n"
+"does not converge is refused.  Memory: about 31 numbers a node in all, 26 MB at 257 x 257,\n"
+"252 MB at 1025 x 1025; 3 more for a stream.\n"
 "The frame method: least squares of the Codazzi equations, of the natural frame equations\n"
 "(13) and of x_u and x_v, on cell centres, three rings of band given.  257 x 257 nodes take\n"
 "0.32 GB, 513 x 513 1.4 GB.\n"
@@ -43,6 +48,7 @@ static const struct option longopt[] = {
 	{ "tolerance", required_argument, NULL, 't' },
 	{ "steps",     required_argument, NULL, 's' },
 	{ "boundary",  required_argument, NULL, 'b' },
+	{ "follow",    no_argument,       NULL, 'f' },
 	{ "no-start",  no_argument,       NULL, 'S' },
 	{ "ideal",     no_argument,       NULL, 'i' },
 	CMD_LONGOPT
@@ -109,7 +115,8 @@ replace(const CmdInput *in, Lhg *g, const double *phi)
 	}
 }
 
-static void
+/* Returns the surface that g now has, [3][nv][nu]. */
+static double *
 convert(const CmdInput *in, Lhg *g, int method, const SurfaceFit *o)
 {
 	const double *lambda = cmd_need(in, g, "lambda", LHG_GRID), *H = cmd_need(in, g, "H", LHG_GRID);
@@ -130,37 +137,49 @@ convert(const CmdInput *in, Lhg *g, int method, const SurfaceFit *o)
 		surfacefit(in, g, o, phi);
 	}
 	replace(in, g, phi);
-	free(phi);
+	return phi;
 }
 
 int
 main(int argc, char *argv[])
 {
 	SurfaceFit o = { .tolerance = 5e-5, .steps = 200 };
-	int opt, method = 0;
+	int opt, method = 0, chained = 0;
+	Before before = { 0 };
+	double *phi;
 	CmdInput in;
 	Lhg g;
 
 	cmd_begin("lh2grid", text);
-	while ((opt = cmd_getopt(argc, argv, "m:t:s:b:", longopt)) != -1)
+	while ((opt = cmd_getopt(argc, argv, "m:t:s:b:f", longopt)) != -1)
 		switch (opt) {
 		case 'm': method = opt_word(optarg, "surface\0frame\0", "method"); break;
 		case 't': o.tolerance = opt_double(optarg, 1e-14, 1, "tolerance"); break;
 		case 's': o.steps = opt_long(optarg, 1, 10000, "steps"); break;
 		case 'b': o.free = opt_word(optarg, "held\0free\0", "boundary"); break;
+		case 'f': chained = 1; break;
 		case 'S': o.no_start = 1; break;
 		case 'i': o.ideal = 1; break;
 		}
-	if (method && o.free)
-		misuse("--boundary=free is for the surface method");
+	if (method && (o.free || chained))
+		misuse("--%s is for the surface method", o.free ? "boundary=free" : "follow");
+	if (chained && o.no_start)
+		misuse("--follow and --no-start exclude each other");
 	cmd_operands(argc, argv, 0, 1);
 	cmd_binary_output();
 
 	cmd_open(&in, argv[optind]);
 	while (cmd_read(&in, &g)) {
-		convert(&in, &g, method, &o);
+		if (chained)
+			follow(&before, &g);
+		phi = convert(&in, &g, method, &o);
 		cmd_write(&g);
+		if (chained)
+			follow_keep(&before, &g, phi);
+		else
+			free(phi);
 		lhg_free(&g);
 	}
+	follow_end(&before);
 	return cmd_end();
 }

@@ -165,3 +165,10 @@ setup_file() {
 	try 0 'certificate' "$tmp/cap.off" mesh2rect -v -n 8
 	try 0 'Beltrami' "$tmp/phi" grid2lh -v
 }
+
+@test "threads that wait soon sleep, unless the environment says otherwise" {
+	local said='GOMP_SPINCOUNT ='
+	env -u GOMP_SPINCOUNT OMP_DISPLAY_ENV=verbose lhinfo --version 2>&1 | grep -q "$said '3000'"
+	env -u GOMP_SPINCOUNT OMP_DISPLAY_ENV=verbose OMP_WAIT_POLICY=active lhinfo --version 2>&1 | grep "$said" | grep -qv "'3000'"
+	[ "$(env -u GOMP_SPINCOUNT bash -c 'exec -a other lhinfo --version' | wc -l)" = "$(lhinfo --version | wc -l)" ]
+}

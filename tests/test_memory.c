@@ -134,7 +134,8 @@ solved(int way)
 	static const double end[2] = { 1, 1 };
 	double phi[3][NODES], start[3][NODES], lambda[NODES], H[NODES];
 	double *x[3] = { phi[0], phi[1], phi[2] };
-	Surface s = { { NU, NV, 1 }, lambda, H, NULL, { NU, NV, 1 }, { end[0], end[1] }, way ? NULL : start[0] };
+	Surface s = { .g = { NU, NV, 1 }, .lambda = lambda, .H = H, .start_chart = { NU, NV, 1 },
+	    .start_end = { end[0], end[1] }, .start = way ? NULL : start[0] };
 	FitOptions o = { 1e-4, 50, 1, NULL, NULL };
 	FitProgress at;
 	int p, e;

@@ -1,0 +1,47 @@
+/* follow.c - from frame to frame.
+ *
+ * A lattice so coarse says which of the surfaces near this lambda and H is meant; what is
+ * finer, and may be wrong in the frame before, stays behind.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "follow.h"
+
+static const char *const START[3] = { "start.x", "start.y", "start.z" };
+enum { LATTICE = 32 };          /* steps along the shorter side, or a few more */
+
+void
+follow(const Before *before, Lhg *g)
+{
+	int cells = (g->nu < g->nv ? g->nu : g->nv) - 1, step = cells > LATTICE ? cells/LATTICE : 1, c;
+	const LhgChannel *like = lhg_find(g, START[0]);
+	char unit[LHG_NAMELEN];
+
+	if (!before->phi || before->nu != g->nu || before->nv != g->nv)
+		return;
+	if (!like)
+		like = lhg_find(g, "band.x");
+	if (!like)
+		return;
+	snprintf(unit, sizeof unit, "%s", like->unit);
+	for (c = 0; c < 3; c++) {
+		lhg_drop(g, START[c]);
+		cmd_add(g, START[c], unit, LHG_LATTICE, step);
+		lhg_gather(g, lhg_find(g, START[c]), before->phi + (size_t)c*g->nu*g->nv);
+	}
+}
+
+void
+follow_keep(Before *before, const Lhg *g, double *phi)
+{
+	free(before->phi);
+	*before = (Before){ g->nu, g->nv, phi };
+}
+
+void
+follow_end(Before *before)
+{
+	free(before->phi);
+	*before = (Before){ 0 };
+}

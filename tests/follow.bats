@@ -1,0 +1,41 @@
+# follow.bats - morphs whose boundary turns: lh2grid --boundary=free --follow.
+
+load helper
+
+setup_file() {
+	export tmp="$BATS_FILE_TMPDIR"
+	mkmesh -n 1500 spiral turns=2 | mesh2rect -q -n 40x10 | grid2lh -o "$tmp/spiral"
+	mkmesh -n 1500 moebius R=3 width=2.2 | mesh2rect -q -n 40x10 | grid2lh -o "$tmp/moebius"
+	lhinterp -q --align -n 12 "$tmp/spiral" "$tmp/moebius" -o "$tmp/morph"
+}
+
+# crossing FILE: how many of its frames have faces that cross.
+crossing() {
+	lhdiff --no-hausdorff "$1" "$1" | awk -F '\t' '
+		NR == 1 { for (i = 1; i <= NF; i++) if ($i == "self_intersections_a") c = i; next }
+		{ frames++; n += $c > 0 } END { print n + 0, "of", frames }'
+}
+
+@test "a spiral unrolls into a Moebius part without a crossing, where its held boundary crosses" {
+	lh2grid --boundary=free --follow --steps=2000 --tolerance=1e-4 "$tmp/morph" -o "$tmp/free"
+	[ "$(crossing "$tmp/free")" = "0 of 12" ]
+	lh2grid "$tmp/morph" -o "$tmp/held"
+	[ "$(crossing "$tmp/held")" != "0 of 12" ]
+}
+
+@test "where nothing moves --follow changes nothing; without a start it has one after the first frame" {
+	lhinterp -q -n 3 "$tmp/spiral" "$tmp/spiral" -o "$tmp/same"
+	lh2grid "$tmp/same" -o "$tmp/a"
+	lh2grid --follow "$tmp/same" -o "$tmp/b"
+	lhdiff --no-hausdorff --no-self-intersections "$tmp/a" "$tmp/b" | awk -F '\t' '
+		NR == 1 { for (i = 1; i <= NF; i++) if ($i == "max_rel") c = i; next }
+		{ bad += !(NR == 2 ? $c == 0 : $c < 1e-4) } END { exit NR != 4 || bad }'
+	mesh2rect -q -n 24 <(mkmesh -n 500 cap) | grid2lh --no-lattice -o "$tmp/bare"
+	lhinterp -q -n 3 "$tmp/bare" "$tmp/bare" | lh2grid --follow -v -o "$tmp/c" 2>"$tmp/said"
+	[ "$(grep -c 'vector Poisson' "$tmp/said")" = 3 ]
+}
+
+@test "--follow says what it cannot" {
+	try 2 'follow and --no-start' "$tmp/spiral" lh2grid --follow --no-start
+	try 2 'follow is for the surface method' "$tmp/spiral" lh2grid --follow --method=frame
+}
