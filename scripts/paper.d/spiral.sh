@@ -14,9 +14,12 @@ pair moebius-there "$(mesh moebius)" $strip $(chart moebius)
 python paper.d/meet.py "$w/spiral.lhg" "$w/moebius-there.lhg" "$w/moebius.lhg"
 run grid2lh -q "$w/moebius.lhg" -o "$w/moebius-lh.lhg"
 run lhinterp -q -n "$frames" "$w/spiral-lh.lhg" "$w/moebius-lh.lhg" -o "$w/strip-lh.lhg"
-back strip-lh strip
-python paper.d/linear.py "$w/strip.lhg" "$w/straight.lhg"
+back strip-lh held
+run lh2grid -q --boundary=free --follow --steps=2000 "$w/strip-lh.lhg" -o "$w/strip.lhg"
+run lhdiff --no-hausdorff --no-self-intersections "$w/moebius.lhg" "$w/strip.lhg" -o "$w/strip-end.diffs"
+python paper.d/linear.py "$w/held.lhg" "$w/straight.lhg"
 crossing strip
+crossing held
 crossing straight
 
 half=$((frames/2)) next=$((frames/2 + 1))
@@ -31,25 +34,30 @@ figure figure8 $side 3 \
 
 tr ' ' '\n' <"$w/straight.self" >"$w/straight.curve"
 tr ' ' '\n' <"$w/strip.self" >"$w/strip.curve"
+tr ' ' '\n' <"$w/held.self" >"$w/held.curve"
 cat >"$w/figure9.gp" <<END
 set terminal pngcairo size 860,420 font 'DejaVu Sans,11'
 set output '$out/figure9.png'
 set xlabel 'frame'; set ylabel 'pairs of faces that cross'
 set grid; set key top right; set xrange [1:$frames]
 plot '$w/straight.curve' using (\$0+1):1 with linespoints pt 7 ps 0.7 lw 2 lc rgb '#d1495b' title 'positions, linear', \
-	'$w/strip.curve' using (\$0+1):1 with linespoints pt 7 ps 0.7 lw 2 lc rgb '#1b6ca8' title '{/Symbol l} and H'
+	'$w/held.curve' using (\$0+1):1 with linespoints pt 7 ps 0.7 lw 2 lc rgb '#2e933c' title '{/Symbol l} and H, boundary curve linear', \
+	'$w/strip.curve' using (\$0+1):1 with linespoints pt 7 ps 0.7 lw 2 lc rgb '#1b6ca8' title '{/Symbol l} and H, boundary free'
 END
 run gnuplot "$w/figure9.gp"
 
 say '## Figures 8 and 9: spiral to part of a Moebius strip' '' \
 	"Grids of $strip cells, $frames frames; the Moebius part scaled to the area of the spiral and moved rigidly onto it." '' \
-	"    lhinterp -n $frames A.lhg B.lhg | lh2grid -o MORPH.lhg; lhdiff --no-hausdorff MORPH.lhg MORPH.lhg" '' \
+	"    lhinterp -n $frames A.lhg B.lhg | lh2grid --boundary=free --follow --steps=2000 -o MORPH.lhg" \
+	'    lhdiff --no-hausdorff MORPH.lhg MORPH.lhg' '' \
 	'against straight lines from its first to its last grid, `scripts/paper.d/linear.py`.'
 shown figure8 'Figure 8: the ends, and two frames by linear positions and by lambda and H'
 shown figure9 'Figure 9: pairs of faces that cross'
-say "Frames with faces that cross: linear $(frames_with straight) (the paper: 29-35); by lambda and H $(frames_with strip) (the paper: none)." ''
-say 'The boundary curve of both is the same, between the two curves in straight lines (20); where that curve runs through' \
-	'the strip no surface is free of crossings, and where it is too short for lambda the surface bulges.' ''
+say "Frames with faces that cross: linear $(frames_with straight) (the paper: 29-35); by lambda and H $(frames_with strip) (the paper: none);" \
+	"by lambda and H within the straight lines between the two boundary curves, (20): $(frames_with held)." '' \
+	'Where those lines run through the strip no surface is free of crossings, so the boundary is found too. lambda and H of' \
+	'such strips leave bendings free: the last frame has those of the Moebius part, and is another such strip,' \
+	"$(short "$(column strip-end mean_rel 100 | awk '{ print $NF }')") % of sqrt(area) from it in the mean." ''
 wrong=
 [ "$(count_with strip)" = 0 ] || wrong="$(count_with strip) of $frames frames; linear positions: $(count_with straight)"
 promise "$wrong" "spiral to Moebius part: no frame with faces that cross by (lambda, H)"
