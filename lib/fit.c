@@ -9,8 +9,11 @@
 static const double BLUNT_W = 30, BLUNT_ALPHA = 1, SHARP_W = 100, SHARP_ALPHA = 0.1;
 static const double TENSION = 3;        /* of the plate in w^2: what took the fewest steps */
 enum { MOST_CG = 60, TEN = 10 };
-enum { MOST_CG_FREE = 20 };             /* with a free boundary: more are spent on bending that the
-                                         * next step undoes; 60 take four times as long */
+/* With a free boundary surfaces bend easily and far.  Few steps of CG until the last Gauss-Newton
+ * step did what it had foretold, as more are spent on bending that the next one undoes; then as
+ * many as it takes. */
+enum { MOST_CG_FREE = 20, MOST_CG_NEAR = 400 };
+static const double NEAR = 0.9, WORTH_NEAR = 1e-6;
 static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a Gauss-Newton step */
 static const double FLAT = 1e-6;        /* share of E not worth another step */
 static const double CREEP = 1e-4;       /* share of E that ten steps must take */
@@ -22,6 +25,7 @@ typedef struct Work {
 	size_t  n;                      /* numbers in a vector */
 	double *r, *z, *p, *q, *d, *y;  /* residual, preconditioned, direction, J'J p; step, trial */
 	double  radius;                 /* of the trust region, in the norm of the plate */
+	int     near;                   /* the last step was as foretold, and whole */
 	long    solves;
 } Work;
 
@@ -77,7 +81,8 @@ static double
 conjugate_gradients(Work *k, const double *phi, double *length)
 {
 	double rz, stop, dd = 0, dp = 0, pp, fall = 0, old, t;
-	int steps, out, most = k->m->free ? MOST_CG_FREE : MOST_CG;
+	int steps, out, most = !k->m->free ? MOST_CG : k->near ? MOST_CG_NEAR : MOST_CG_FREE;
+	double worth = k->m->free && k->near ? WORTH_NEAR : WORTH;
 
 	memset(k->d, 0, k->n*sizeof *k->d);
 	precondition(k);
@@ -97,7 +102,7 @@ conjugate_gradients(Work *k, const double *phi, double *length)
 			fall += t*rz;
 		field_add(k->n, t, k->p, k->d);
 		dd += 2*t*dp + t*t*pp;
-		if (out || t*rz < WORTH*fall)
+		if (out || t*rz < worth*fall)
 			break;
 		field_add(k->n, -t, k->q, k->r);
 		precondition(k);
@@ -137,6 +142,7 @@ step(Work *k, double *phi, double *E)
 	E2 = misfit_energy(k->m, k->y);
 	gain = (*E - E2)/is.fall;
 	is.taken = gain > 0.01;
+	k->near = gain > NEAR && !is.cut;
 	if (!(gain > 0.25))
 		k->radius = length/4;
 	else if (gain > 0.75 && is.cut)

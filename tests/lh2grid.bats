@@ -53,3 +53,24 @@ setup_file() {
 	run lh2grid -v "$tmp/lh" -o "$tmp/a"
 	[[ $output =~ 'vector Poisson solves of 91 x 91 nodes' ]]
 }
+
+@test "a free boundary: near the held surface, without a band, at other scales" {
+	lh2grid "$tmp/lh" -o "$tmp/a"
+	lh2grid --boundary=held "$tmp/lh" -o "$tmp/c"
+	below "$(error_of "$tmp/a" "$tmp/c" max_rel)" 1e-300
+	lh2grid --boundary=free "$tmp/lh" -o "$tmp/b"
+	below "$(error_of "$tmp/a" "$tmp/b" mean_rel)" 0.01
+	below 1e-6 "$(error_of "$tmp/a" "$tmp/b" max_rel)"
+	lhfft -K 2 "$tmp/lh" | lh2grid --boundary=free | lhinfo >/dev/null
+	/usr/bin/python3 -c 'import sys; sys.path.insert(0, "scripts"); import lhg
+g = list(lhg.read(sys.argv[1]))
+for q in g:
+    for c in "xyz": del q.channels["band." + c]
+lhg.write(sys.argv[2], g)' "$tmp/lh" "$tmp/adrift"
+	lh2grid --boundary=free "$tmp/adrift" -o "$tmp/c"
+	below "$(error_of "$tmp/b" "$tmp/c" mean_rel)" 0.05
+	try 1 'band' "$tmp/adrift" lh2grid
+	try 1 'band' "$tmp/adrift" lh2grid --boundary=free --no-start
+	try 2 'boundary' "$tmp/lh" lh2grid --boundary=loose
+	try 2 'surface method' "$tmp/lh" lh2grid --boundary=free --method=frame
+}

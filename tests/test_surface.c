@@ -4,10 +4,11 @@
 #include <omp.h>
 
 #include "../lib/lambdah.h"
+#include "../lib/procrustes.h"
 #include "../lib/surface.h"
 #include "surfaces.h"
 
-static const Chart COARSE = { 70, 67, 0.8 }, FINE = { 139, 133, 0.8 }, LATTICE = { 12, 10, 0.8 };
+static const Chart ROUGH = { 25, 24, 0.8 }, MIDDLE = { 49, 47, 0.8 }, COARSE = { 70, 67, 0.8 }, FINE = { 139, 133, 0.8 }, LATTICE = { 12, 10, 0.8 };
 enum { MOST = 139*133 };
 
 static double truth[3*MOST], found[3*MOST], kept[3*MOST], lambda[MOST], H[MOST], start[3*12*10], fine_start[3*70*67];
@@ -169,6 +170,146 @@ threads_change_no_bit(void **state)
 	assert_memory_equal(kept, found, n*sizeof *found);
 }
 
+static const FitOptions PATIENT = { .tolerance = 1e-8, .most = 200, .sharpen = 1 };
+
+/* Inversions keep a map conformal, and of a minimal surface make one whose H varies: Enneper's
+ * itself has associates with its lambda and H, and a sphere bends to first order. */
+static Node
+inverted(Node a)
+{
+	double x = a.x[0] - 0.3, y = a.x[1] + 0.4, z = a.x[2] - 2, r = x*x + y*y + z*z;
+
+	return (Node){ { 4*x/r, 4*y/r, 4*z/r }, 0, 0 };
+}
+
+static Node
+inverted_enneper(double u, double v)
+{
+	return inverted(enneper(u, v));
+}
+
+/* Without its boundary; from the band, adrift from the start.  The largest difference to the
+ * truth but for a motion. */
+static double
+reconstruct_free(Surface *s, int rings)
+{
+	size_t n = (size_t)s->g.nu*s->g.nv, p;
+	double (*a)[3] = malloc(n*sizeof *a), (*b)[3] = malloc(n*sizeof *b), rms, error;
+	Rigid r;
+	int c;
+
+	s->free = 1;
+	s->adrift = !rings;
+	assert_non_null(a);
+	assert_non_null(b);
+	reconstruct(s, rings, &PATIENT);
+	for (p = 0; p < n; p++)
+		for (c = 0; c < 3; c++) {
+			a[p][c] = truth[c*n+p];
+			b[p][c] = found[c*n+p];
+		}
+	assert_int_equal(procrustes((int)n, NULL, a[0], b[0], &r, &rms), 0);
+	rigid_move(&r, (int)n, b[0]);
+	error = largest(3*n, a[0], b[0]);
+	free(a);
+	free(b);
+	return error;
+}
+
+/* None bends with its H kept: what is left is truncation. */
+static void
+free_surfaces_come_back_of_second_order(void **state)
+{
+	Immersion *const of[] = { torus, inverted_enneper };
+	double coarse, fine;
+	Surface s;
+	int k;
+
+	(void)state;
+	for (k = 0; k < 2; k++) {
+		s = given(of[k], ROUGH);
+		coarse = reconstruct_free(&s, 1);
+		s = given(of[k], MIDDLE);
+		fine = reconstruct_free(&s, 1);
+		assert_true(coarse < 0.05 && fine < coarse/3);
+	}
+}
+
+static void
+turn(size_t n, double *x)
+{
+	static const double R[3][3] = { { 0.36, 0.48, -0.8 }, { -0.8, 0.6, 0 }, { 0.48, 0.64, 0.6 } };
+	static const double t[3] = { 3, -5, 2 };
+	size_t p;
+	int c;
+
+	for (p = 0; p < n; p++) {
+		double y[3] = { x[p], x[n+p], x[2*n+p] };
+
+		for (c = 0; c < 3; c++)
+			x[c*n+p] = R[c][0]*y[0] + R[c][1]*y[1] + R[c][2]*y[2] + t[c];
+	}
+}
+
+/* A band or a start that is moved moves the surface, and changes nothing else. */
+static void
+free_surface_follows_what_places_it(void **state)
+{
+	size_t n = (size_t)ROUGH.nu*ROUGH.nv;
+	Surface s;
+	int k;
+
+	(void)state;
+	for (k = 0; k < 4; k++) {
+		s = given(torus, ROUGH);
+		reconstruct_free(&s, k < 3 ? 1 : 0);
+		memcpy(kept, found, 3*n*sizeof *found);
+		if (k > 0)
+			turn(12*10, start);
+		if (k != 1)
+			turn(n, truth);
+		if (k != 1)
+			turn(n, kept);
+		reconstruct_free(&s, k < 3 ? 1 : 0);
+		assert_true(largest(3*n, kept, found) < 1e-4);
+	}
+}
+
+/* From three rings, without any start: the same. */
+static void
+free_surface_starts_from_its_band(void **state)
+{
+	size_t n = (size_t)MIDDLE.nu*MIDDLE.nv;
+	Surface s = given(torus, MIDDLE);
+
+	(void)state;
+	reconstruct_free(&s, 1);
+	memcpy(kept, found, 3*n*sizeof *found);
+	s.start = NULL;
+	reconstruct_free(&s, 3);
+	assert_true(largest(3*n, kept, found) < 1e-4);
+}
+
+static void
+free_boundaries_of_small_grids_are_no_trouble(void **state)
+{
+	static const Chart charts[] = { { 3, 3, 1 }, { 4, 9, 2 } };
+	FitProgress at;
+	Surface s;
+	int k;
+
+	(void)state;
+	for (k = 0; k < 2; k++) {
+		sample(stereo, charts[k], truth);
+		sample_immersion(stereo, charts[k], 1, NULL, lambda, H);
+		sample(stereo, LATTICE, start);
+		s = (Surface){ .g = charts[k], .lambda = lambda, .H = H, .start_chart = LATTICE,
+		    .start_end = { 1, 1 }, .start = start, .free = 1, .adrift = 1 };
+		assert_int_equal(surface(&s, &PATIENT, found, &at), 1);
+		assert_true(largest(3*(size_t)charts[k].nu*charts[k].nv, truth, found) < 1);
+	}
+}
+
 static void
 small_grids_are_no_trouble(void **state)
 {
@@ -232,6 +373,10 @@ main(void)
 		cmocka_unit_test(start_enters_nothing),
 		cmocka_unit_test(unit_of_length_changes_nothing),
 		cmocka_unit_test(threads_change_no_bit),
+		cmocka_unit_test(free_surfaces_come_back_of_second_order),
+		cmocka_unit_test(free_surface_follows_what_places_it),
+		cmocka_unit_test(free_surface_starts_from_its_band),
+		cmocka_unit_test(free_boundaries_of_small_grids_are_no_trouble),
 		cmocka_unit_test(small_grids_are_no_trouble),
 		cmocka_unit_test(steps_that_do_not_suffice_are_told),
 		cmocka_unit_test(energies_that_are_no_numbers_are_told),
