@@ -16,6 +16,8 @@ CMD = mesh2rect grid2lh lhfft lhinterp lh2grid grid2mesh lhinfo lhdiff mkmesh
 
 BUILD    := build$(if $(SANITIZE),/$(SANITIZE))
 export BUILD
+# Tests wait as the commands do, cmd/patience.c.
+export GOMP_SPINCOUNT := 3000
 
 ALL_CPPFLAGS := -D_XOPEN_SOURCE=700 -MMD -MP $(CPPFLAGS)
 ALL_CFLAGS   := -std=c11 $(WARN) $(OPENMP) $(CFLAGS)

@@ -10,10 +10,10 @@ static const double BLUNT_W = 30, BLUNT_ALPHA = 1, SHARP_W = 100, SHARP_ALPHA = 
 static const double TENSION = 3;        /* of the plate in w^2: what took the fewest steps */
 enum { MOST_CG = 60, TEN = 10 };
 /* With a free boundary surfaces bend easily and far.  Few steps of CG until the last Gauss-Newton
- * step did what it had foretold, as more are spent on bending that the next one undoes; then as
- * many as it takes. */
+ * step was short and did what it had foretold, as more are spent on bending that the next one
+ * undoes; then as many as it takes. */
 enum { MOST_CG_FREE = 20, MOST_CG_NEAR = 400 };
-static const double NEAR = 0.9, WORTH_NEAR = 1e-6;
+static const double NEAR = 0.9, NEARBY = 1e-4, WORTH_NEAR = 1e-6;
 static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a Gauss-Newton step */
 static const double FLAT = 1e-6;        /* share of E not worth another step */
 static const double CREEP = 1e-4;       /* share of E that ten steps must take */
@@ -25,7 +25,7 @@ typedef struct Work {
 	size_t  n;                      /* numbers in a vector */
 	double *r, *z, *p, *q, *d, *y;  /* residual, preconditioned, direction, J'J p; step, trial */
 	double  radius;                 /* of the trust region, in the norm of the plate */
-	int     near;                   /* the last step was as foretold, and whole */
+	int     near;                   /* the last step was short, whole and as foretold */
 	long    solves;
 } Work;
 
@@ -142,7 +142,7 @@ step(Work *k, double *phi, double *E)
 	E2 = misfit_energy(k->m, k->y);
 	gain = (*E - E2)/is.fall;
 	is.taken = gain > 0.01;
-	k->near = gain > NEAR && !is.cut;
+	k->near = gain > NEAR && !is.cut && is.change < NEARBY;
 	if (!(gain > 0.25))
 		k->radius = length/4;
 	else if (gain > 0.75 && is.cut)
