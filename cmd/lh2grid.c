@@ -10,7 +10,7 @@
 #include "surfacefit.h"
 
 static const char text[] =
-"usage: lh2grid [--method=surface|frame] [LH] >grid.lhg\n"
+"usage: lh2grid [OPTIONS] [LH] >grid.lhg\n"
 "reads channels lambda H, the boundary band.x band.y band.z and a start, start.x start.y\n"
 "start.z; writes x y z and drops what it read; other channels and metadata pass through\n"
 "  -m, --method=surface|frame  least squares over the positions, or the paper's frame\n"
@@ -34,11 +34,11 @@ CMD_USAGE
 "is moved as a rigid body until its border comes nearest to the band's; without a band, until\n"
 "it comes nearest to the start.  lambda and H determine a surface up to motions, but for those\n"
 "that bend and keep both (constant H, developables): near these the result is soft, and held\n"
-"is the better.  It costs five to ten times as much, a morph more, and errs two to ten times\n"
-"as much.  A morph whose boundary turns or folds in between wants --boundary=free\n"
+"is the better.  It costs four to ten times as much, a morph more, and errs two to twenty\n"
+"times as much.  A morph whose boundary turns or folds in between wants --boundary=free\n"
 "--follow; with the boundary held --follow gives the same surfaces at the same cost.  What\n"
 "does not converge is refused.  Memory: about 31 numbers a node in all, 26 MB at 257 x 257,\n"
-"252 MB at 1025 x 1025; 3 more for a stream.\n"
+"252 MB at 1025 x 1025; 3 more with --follow.\n"
 "The frame method: least squares of the Codazzi equations, of the natural frame equations\n"
 "(13) and of x_u and x_v, on cell centres, three rings of band given.  257 x 257 nodes take\n"
 "0.32 GB, 513 x 513 1.4 GB.\n"

@@ -3,6 +3,7 @@
  * The border is thin: one node at a time, in a fixed order. */
 #include <math.h>
 
+#include "border.h"
 #include "misfitborder.h"
 #include "vec3.h"
 
@@ -60,24 +61,19 @@ slopes(const Stencil *s, const double *f, size_t n, double x[3])
 		x[c] = slope(s, f + c*n);
 }
 
-/* The border nodes in order: the first row, the ends of the inner rows, the last row. */
 static int
 border_count(Chart g)
 {
-	return 2*g.nu + 2*(g.nv - 2);
+	return 2*(g.nu - 1) + 2*(g.nv - 1);
 }
 
 static size_t
-border_node(Chart g, int q)
+node(Chart g, int k)
 {
-	size_t last = (size_t)g.nu*(g.nv - 1);
+	int i, j;
 
-	if (q < g.nu)
-		return q;
-	q -= g.nu;
-	if (q < 2*(g.nv - 2))
-		return (size_t)g.nu*(1 + q/2) + (q%2 ? g.nu - 1 : 0);
-	return last + q - 2*(g.nv - 2);
+	border_node(g.nu, g.nv, k, &i, &j);
+	return (size_t)j*g.nu + i;
 }
 
 void
@@ -89,7 +85,7 @@ misfit_border_weights(Misfit *m)
 	int q;
 
 	for (q = 0; q < border_count(m->g); q++) {
-		p = border_node(m->g, q);
+		p = node(m->g, q);
 		stencils(m->g, p, &u, &v);
 		x = log_slope(&u, m->lambda2 + p)/2;
 		y = log_slope(&v, m->lambda2 + p)/2;
@@ -119,7 +115,7 @@ misfit_border_energy(const Misfit *m, const double *phi, size_t *worst, double *
 	int q;
 
 	for (*most = -1, *worst = 0, q = 0; q < border_count(m->g); q++) {
-		p = border_node(m->g, q);
+		p = node(m->g, q);
 		stencils(m->g, p, &su, &sv);
 		slopes(&su, phi + p, n, u);
 		slopes(&sv, phi + p, n, v);
@@ -154,7 +150,7 @@ misfit_border_apply(const Misfit *m, const double *phi, const double *d, double 
 	int q, c;
 
 	for (q = 0; q < border_count(m->g); q++) {
-		p = border_node(m->g, q);
+		p = node(m->g, q);
 		stencils(m->g, p, &su, &sv);
 		slopes(&su, phi + p, n, u);
 		slopes(&sv, phi + p, n, v);
