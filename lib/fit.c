@@ -16,6 +16,10 @@ enum { MOST_CG_FREE = 20, MOST_CG_NEAR = 400 };
 static const double NEAR = 0.9, NEARBY = 1e-4, WORTH_NEAR = 1e-6;
 static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a Gauss-Newton step */
 static const double FLAT = 1e-6;        /* share of E not worth another step */
+static const double STEEP = 0.5;        /* E over the last one, below which it falls steeply */
+static const double STILL = 0.98;       /* and above which it hardly falls */
+static const double POOR = 0.25;        /* share of the fall foretold: below, the way is shortened */
+enum { SHORTER = 3 };           /* times */
 static const double CREEP = 1e-4;       /* share of E that ten steps must take */
 static const double WORTH = 1e-3;       /* least share of the decrease a CG step must add */
 
@@ -76,9 +80,10 @@ to_the_border(double dd, double dp, double pp, double radius)
 	return (-dp + sqrt(dp*dp + pp*(radius*radius - dd)))/pp;
 }
 
-/* d from the gradient in -r; what E should fall by, and the length of d. */
+/* d from the gradient in -r; what E should fall by, the length of d, and whether no steps were
+ * left. */
 static double
-conjugate_gradients(Work *k, const double *phi, double *length)
+conjugate_gradients(Work *k, const double *phi, double *length, int *spent)
 {
 	double rz, stop, dd = 0, dp = 0, pp, fall = 0, old, t;
 	int steps, out, most = !k->m->free ? MOST_CG : k->near ? MOST_CG_NEAR : MOST_CG_FREE;
@@ -112,41 +117,73 @@ conjugate_gradients(Work *k, const double *phi, double *length)
 		pp = rz + rz/old*(rz/old)*pp;
 		field_turn(k->n, k->z, rz/old, k->p);
 	}
+	*spent = steps == most;
 	*length = sqrt(dd);
 	return fall;
 }
 
 /* What came of a step. */
 typedef struct Outcome {
-	double change;          /* root mean square of d over sqrt(area) */
+	double change;          /* root mean square of the way over sqrt(area) */
 	double fall;            /* of E, foretold */
-	int    taken, cut;      /* phi is changed; d ended at the border of the trust region */
+	int    taken;           /* phi is changed */
+	int    cut;             /* it was made shorter: by the trust region, or as E rises beyond */
+	int    spent;           /* CG had no steps left */
 } Outcome;
+
+/* E at phi + t d, which is left in y. */
+static double
+trial(Work *k, const double *phi, double t)
+{
+	memcpy(k->y, phi, k->n*sizeof *phi);
+	field_add(k->n, t, k->d, k->y);
+	return misfit_energy(k->m, k->y);
+}
+
+/* How far to go along d, and E there: all the way if that takes off at least a quarter of what
+ * was foretold, else to the lowest point of the parabola through E here and there with its
+ * slope here, -2 <b,d>, once or a few times.  *fall is what is foretold for that way.  Folds
+ * make E rise soon: to find this out by new steps of CG costs ten times as much. */
+static double
+way_along(Work *k, const double *phi, double E, double bd, double *fall, double *E2)
+{
+	double t = 1, whole = *fall, lowest;
+	int tries;
+
+	*E2 = trial(k, phi, t);
+	for (tries = 0; tries < SHORTER && !(E - *E2 > POOR*(*fall)); tries++) {
+		lowest = isfinite(*E2) ? bd*t*t/(2*bd*t + *E2 - E) : 0;
+		t = lowest > 0.5*t ? 0.5*t : lowest > 0.1*t ? lowest : 0.1*t;
+		*fall = 2*bd*t - (2*bd - whole)*t*t;
+		*E2 = trial(k, phi, t);
+	}
+	return t;
+}
 
 /* One step from phi, with energy *E. */
 static Outcome
 step(Work *k, double *phi, double *E)
 {
-	double length, E2, gain;
+	double length, bd, t, E2, gain;
 	Outcome is;
 	size_t p;
 
 	misfit_gradient(k->m, phi, k->r);
 	for (p = 0; p < k->n; p++)
-		k->r[p] = -k->r[p];
-	is.fall = conjugate_gradients(k, phi, &length);
-	is.change = sqrt(field_dot(k->n, k->d, k->d)/(k->n/3.0)*k->m->scale/k->m->g.T);
+		k->y[p] = k->r[p] = -k->r[p];
+	is.fall = conjugate_gradients(k, phi, &length, &is.spent);
+	bd = field_dot(k->n, k->y, k->d);
 	is.cut = length > 0.99*k->radius;
-	memcpy(k->y, phi, k->n*sizeof *phi);
-	field_add(k->n, 1, k->d, k->y);
-	E2 = misfit_energy(k->m, k->y);
+	t = way_along(k, phi, *E, bd, &is.fall, &E2);
+	is.change = t*sqrt(field_dot(k->n, k->d, k->d)/(k->n/3.0)*k->m->scale/k->m->g.T);
 	gain = (*E - E2)/is.fall;
 	is.taken = gain > 0.01;
-	k->near = gain > NEAR && !is.cut && is.change < NEARBY;
-	if (!(gain > 0.25))
-		k->radius = length/4;
-	else if (gain > 0.75 && is.cut)
+	if (t < 1) {
+		is.cut = 1;
+		k->radius = length*fmax(t, POOR);
+	} else if (gain > 0.75 && is.cut)
 		k->radius *= 2;
+	k->near = gain > NEAR && !is.cut && is.change < NEARBY;
 	if (is.taken) {
 		memcpy(phi, k->y, k->n*sizeof *phi);
 		*E = E2;
@@ -154,18 +191,23 @@ step(Work *k, double *phi, double *E)
 	return is;
 }
 
-/* Nothing of it where the scale is off by 16 %, all of it below 8 %: 0.05-3 % for surfaces,
- * 7 % for whole hemispheres of the cortex, 8-13 % when a filter took a little from them, 20 %
- * when it took all but the coarse shape.  In eighths, so that where the steps came from
- * leaves no trace. */
-static void
-sharpen(Misfit *m, const double *phi)
+/* How much of sharpening the data bear: nothing where the scale is off by 16 %, all below 8 %:
+ * 0.05-3 % for surfaces, 7 % for whole hemispheres of the cortex, 8-13 % when a filter took a
+ * little from them, 20 % when it took all but the coarse shape.  In eighths, so that where the
+ * steps came from leaves no trace. */
+static double
+sharpness(const Misfit *m, const double *phi)
 {
 	double share = round(16*(1 - misfit_scale_error(m, phi)/0.16))/8;
 
-	share = share > 1 ? 1 : share < 0 ? 0 : share;
-	m->w *= pow(SHARP_W/m->w, share);
-	m->alpha *= pow(SHARP_ALPHA/m->alpha, share);
+	return share > 1 ? 1 : share < 0 ? 0 : share;
+}
+
+static void
+set_weights(Misfit *m, double share)
+{
+	m->w = BLUNT_W*pow(SHARP_W/BLUNT_W, share);
+	m->alpha = BLUNT_ALPHA*pow(SHARP_ALPHA/BLUNT_ALPHA, share);
 }
 
 /* Where the last ten steps began. */
@@ -174,37 +216,45 @@ typedef struct Past {
 	int    steps;
 } Past;
 
-/* A step that the trust region cut short shows nothing, unless the last ten together took
- * hardly anything off E or went nowhere: what belongs to no surface can creep. */
+static void
+remember(Past *past, double E, double way)
+{
+	past->E[past->steps%TEN] = E;
+	past->way[past->steps++%TEN] = way;
+}
+
+/* A step that was cut short shows nothing, unless the last ten together took hardly anything
+ * off E or went nowhere: what belongs to no surface can creep.  Nor does a short one while E
+ * still falls steeply, or, where CG had no time to find the slow part of it, at all. */
 static int
 converged(const FitOptions *o, const Outcome *is, double E, double way, const Past *past)
 {
-	int then = past->steps%TEN;
+	int then = past->steps%TEN, last = (past->steps - 1)%TEN;
+	double flat = is->spent ? STILL : STEEP;
 
 	if (past->steps >= TEN
 	    && (past->E[then] - E < CREEP*past->E[then] || way - past->way[then] < o->tolerance))
 		return 1;
-	return !is->cut && (is->change < o->tolerance || is->fall <= FLAT*E);
+	return !is->cut && ((is->change < o->tolerance && E > flat*past->E[last]) || is->fall <= FLAT*E);
 }
 
 int
 fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 {
-	int sharp = !o->sharpen, done = 0;
-	double E, before, way = 0;
+	double E, share, way = 0;
 	Past past = { .steps = 0 };
+	int blunt, flat, done = 0;
 	Outcome is;
 	Work k;
 
 	if (prepare(&k, m))
 		return FIT_ENOMEM;
-	m->w = BLUNT_W;
-	m->alpha = BLUNT_ALPHA;
+	blunt = o->sharpen && sharpness(m, phi) < 1;
+	set_weights(m, o->sharpen && !blunt);
 	at->nu = m->g.nu, at->nv = m->g.nv, at->step = 0;
 	at->energy = E = misfit_energy(m, phi);
 	while (!done && at->step < o->most && isfinite(E)) {
-		past.E[past.steps%TEN] = before = E;
-		past.way[past.steps++%TEN] = way;
+		remember(&past, E, way);
 		is = step(&k, phi, &E);
 		way += is.change;
 		at->step++;
@@ -214,13 +264,14 @@ fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 		if (o->report)
 			o->report(o->ctx, at);
 		done = converged(o, &is, E, way, &past);
-		if (!sharp && is.taken && (done || E > before/2)) {
-			sharpen(m, phi);
+		flat = done || E > STEEP*past.E[(past.steps - 1)%TEN];
+		share = blunt && is.taken ? sharpness(m, phi) : 0;
+		if (blunt && is.taken && (flat || share == 1)) {
+			set_weights(m, share);
 			E = misfit_energy(m, phi);
 			k.radius = HUGE_VAL;
 			past.steps = 0;
-			sharp = 1;
-			done = 0;
+			blunt = done = 0;
 		}
 	}
 	at->worst = done ? 0 : misfit_worst(m, phi);

@@ -34,10 +34,11 @@ typedef struct FitOptions {
  * at      out     of the last step; its cost is added to
  *
  * At first w = 30 and alpha = 1, which converges from afar and leaves no wrinkles where
- * lambda and H belong to no surface.  To sharpen is to look, when the energy no longer falls
- * steeply, how far the metric of the surface is from lambda^2, and if that is little, so that
- * they do belong to one, to go towards w = 100 and alpha = 0.1: then what is not
- * conformal about the grid weighs less (README, the surface method).
+ * lambda and H belong to no surface.  To sharpen is to look how far the metric of the surface
+ * is from lambda^2, and where that is little, so that they do belong to one, to go to w = 100
+ * and alpha = 0.1: then what is not conformal about the grid weighs less (README, the surface
+ * method).  Where it is little at once that is done at once; else it is looked again after
+ * every step, and a part of the way is gone when the energy no longer falls steeply.
  *
  * Returns 1 if it converged, 0 if it did not in so many steps, or FIT_ENOMEM. */
 int fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at);

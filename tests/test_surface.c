@@ -328,6 +328,81 @@ small_grids_are_no_trouble(void **state)
 	}
 }
 
+static Misfit
+misfit_of(const Surface *s)
+{
+	static double lambda2[MOST], l2H[MOST];
+	Misfit m;
+	int p;
+
+	for (p = 0; p < s->g.nu*s->g.nv; p++) {
+		lambda2[p] = lambda[p]*lambda[p];
+		l2H[p] = lambda2[p]*H[p];
+	}
+	assert_int_equal(misfit_init(&m, s->g, lambda2, l2H, NULL), 0);
+	return m;
+}
+
+/* Where the start has the metric, though E falls steeply; from afar not before it has. */
+static void
+weights_are_sharp_as_soon_as_the_metric_is_there(void **state)
+{
+	const FitOptions one = { .tolerance = 1e-10, .most = 1, .sharpen = 1 };
+	unsigned long long seed = 2;
+	FitProgress at;
+	Surface s;
+	Misfit m;
+	int far, p;
+
+	(void)state;
+	for (far = 0; far < 2; far++) {
+		s = given(torus, COARSE);
+		m = misfit_of(&s);
+		for (p = 0; p < 3*COARSE.nu*COARSE.nv; p++)
+			truth[p] = (far ? 2 : 1)*truth[p] + 2e-4*noise(&seed);
+		assert_int_equal(fit(&m, &one, truth, &at), 0);
+		assert_true(far ? m.w == 30 && m.alpha == 1 : m.w == 100 && m.alpha == 0.1);
+		misfit_free(&m);
+	}
+}
+
+typedef struct Falls {
+	double E;
+	int    steps, fell;
+} Falls;
+
+static void
+count_falls(void *ctx, const FitProgress *at)
+{
+	Falls *f = ctx;
+
+	f->fell += at->energy < f->E;
+	f->steps++;
+	f->E = at->energy;
+}
+
+/* From a start so rough that whole steps overshoot, every one still takes something off E. */
+static void
+steps_that_overshoot_are_shortened(void **state)
+{
+	Falls f = { HUGE_VAL, 0, 0 };
+	FitOptions eight = { .tolerance = 1e-10, .most = 8, .report = count_falls, .ctx = &f };
+	Surface s = given(torus, COARSE);
+	Misfit m = misfit_of(&s);
+	unsigned long long seed = 3;
+	FitProgress at;
+	int p, n = COARSE.nu*COARSE.nv;
+
+	(void)state;
+	for (p = 0; p < 3*n; p++)
+		if (p%n%COARSE.nu%69 && p%n/COARSE.nu%66)
+			truth[p] += 0.05*noise(&seed);
+	fit(&m, &eight, truth, &at);
+	assert_int_equal(f.steps, 8);
+	assert_int_equal(f.fell, 8);
+	misfit_free(&m);
+}
+
 static void
 steps_that_do_not_suffice_are_told(void **state)
 {
@@ -375,6 +450,8 @@ main(void)
 		cmocka_unit_test(free_surface_starts_from_its_band),
 		cmocka_unit_test(free_boundaries_of_small_grids_are_no_trouble),
 		cmocka_unit_test(small_grids_are_no_trouble),
+		cmocka_unit_test(weights_are_sharp_as_soon_as_the_metric_is_there),
+		cmocka_unit_test(steps_that_overshoot_are_shortened),
 		cmocka_unit_test(steps_that_do_not_suffice_are_told),
 		cmocka_unit_test(energies_that_are_no_numbers_are_told),
 	};
