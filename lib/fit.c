@@ -16,8 +16,8 @@ enum { MOST_CG_FREE = 20, MOST_CG_NEAR = 400 };
 static const double NEAR = 0.9, NEARBY = 1e-4, WORTH_NEAR = 1e-6;
 static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a Gauss-Newton step */
 static const double FLAT = 1e-6;        /* share of E not worth another step */
-static const double STEEP = 0.5;        /* E over the last one, below which it falls steeply */
-static const double STILL = 0.98;       /* and above which it hardly falls */
+/* E over the last one: below, it falls fast, steeply; above, hardly */
+static const double FAST = 0.1, STEEP = 0.5, STILL = 0.98;
 static const double POOR = 0.25;        /* share of the fall foretold: below, the way is shortened */
 enum { SHORTER = 3 };           /* times */
 static const double CREEP = 1e-4;       /* share of E that ten steps must take */
@@ -225,12 +225,12 @@ remember(Past *past, double E, double way)
 
 /* A step that was cut short shows nothing, unless the last ten together took hardly anything
  * off E or went nowhere: what belongs to no surface can creep.  Nor does a short one while E
- * still falls steeply, or, where CG had no time to find the slow part of it, at all. */
+ * still falls fast, or, where CG had no time to find the slow part of it, at all. */
 static int
 converged(const FitOptions *o, const Outcome *is, double E, double way, const Past *past)
 {
 	int then = past->steps%TEN, last = (past->steps - 1)%TEN;
-	double flat = is->spent ? STILL : STEEP;
+	double flat = is->spent ? STILL : FAST;
 
 	if (past->steps >= TEN
 	    && (past->E[then] - E < CREEP*past->E[then] || way - past->way[then] < o->tolerance))
