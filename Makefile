@@ -16,11 +16,11 @@ CMD = mesh2rect grid2lh lhfft lhinterp lh2grid grid2mesh lhinfo lhdiff mkmesh
 
 BUILD    := build$(if $(SANITIZE),/$(SANITIZE))
 export BUILD
-# Tests wait as the commands do, cmd/patience.c.
+# Tests wait as the commands do, cmd/surroundings.c.
 export GOMP_SPINCOUNT := 3000
 
 ALL_CPPFLAGS := -D_XOPEN_SOURCE=700 -MMD -MP $(CPPFLAGS)
-ALL_CFLAGS   := -std=c11 $(WARN) $(OPENMP) $(CFLAGS)
+ALL_CFLAGS   := -std=c11 -fno-math-errno $(WARN) $(OPENMP) $(CFLAGS)
 ALL_CXXFLAGS := -std=c++17 $(WARN) $(OPENMP) $(CXXFLAGS)
 ifdef SANITIZE
 ALL_CFLAGS   += -fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer
@@ -30,6 +30,8 @@ endif
 
 LIBOBJ   := $(patsubst %,$(BUILD)/%.o,$(basename $(wildcard format/*.c lib/*.c lib/*.cc)))
 SHARED   := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(CMD:%=cmd/%.c),$(wildcard cmd/*.c)))
+# Work that is done before main, which nothing calls; of the rest a command takes what it needs.
+FIRST    := $(BUILD)/cmd/surroundings.o
 BIN      := $(CMD:%=$(BUILD)/bin/%)
 TESTSRC  := $(filter-out tests/fault.c,$(wildcard tests/*.c))
 TESTBIN  := $(TESTSRC:%.c=$(BUILD)/%)
@@ -41,6 +43,7 @@ FUZZOBJ  := $(BUILD)/tests/fuzz/memory.o $(BUILD)/tests/fuzz/mesh.o
 OBJ      := $(LIBOBJ) $(SHARED) $(CMD:%=$(BUILD)/cmd/%.o) $(TESTBIN:%=%.o) \
             $(FUZZBIN:%=%.o) $(FUZZMAIN) $(FUZZOBJ) $(BUILD)/tests/fault.o
 LIB      := $(BUILD)/liblhgrid.a
+CMDLIB   := $(BUILD)/libcmd.a
 
 # The commands once more, with calls that fail on demand.
 FAULTY   := $(CMD:%=$(BUILD)/faulty/%)
@@ -52,11 +55,11 @@ all: $(BIN)
 
 tests: $(TESTBIN) $(FUZZBIN) $(FAULTY)
 
-$(BIN): $(BUILD)/bin/%: $(BUILD)/cmd/%.o $(SHARED) $(LIB)
+$(BIN): $(BUILD)/bin/%: $(BUILD)/cmd/%.o $(FIRST) $(CMDLIB) $(LIB)
 	@mkdir -p $(@D)
 	$(CXX) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
-$(FAULTY): $(BUILD)/faulty/%: $(BUILD)/cmd/%.o $(SHARED) $(LIB) $(FAULT)
+$(FAULTY): $(BUILD)/faulty/%: $(BUILD)/cmd/%.o $(FIRST) $(FAULT) $(CMDLIB) $(LIB)
 	@mkdir -p $(@D)
 	$(CXX) $(OPENMP) $(LDFLAGS) $(WRAPPED:%=-Wl,--wrap=%) -o $@ $^ $(LDLIBS) -lsuitesparseconfig
 
@@ -71,9 +74,11 @@ $(BUILD)/tests/test_lhgfault $(FUZZBIN): WRAP = -Wl,--wrap=malloc,--wrap=calloc,
 $(FUZZBIN): %: %.o $(FUZZMAIN) $(FUZZOBJ) $(LIB)
 	$(CXX) $(LDFLAGS) $(WRAP) -o $@ $^ $(LDLIBS)
 
-$(LIBOBJ): ALL_CFLAGS += $(COVER)
+$(LIBOBJ): ALL_CFLAGS += $(LIBCFLAGS) $(COVER)
 
 $(LIB): $(LIBOBJ)
+$(CMDLIB): $(filter-out $(FIRST),$(SHARED))
+$(LIB) $(CMDLIB):
 	rm -f $@
 	$(AR) rc $@ $^
 
@@ -87,9 +92,6 @@ $(BUILD)/%.o: %.cc config.mk
 
 # A product and its sum are one instruction where the processor has it.
 $(BUILD)/lib/product.o: ALL_CFLAGS += -ffp-contract=fast
-
-# Several nodes at a time.
-$(BUILD)/lib/misfit.o $(BUILD)/lib/misfitapply.o $(BUILD)/lib/sine.o $(BUILD)/lib/cosine.o: ALL_CFLAGS += -O3 -fno-math-errno
 
 demo:
 	scripts/deps
@@ -125,7 +127,7 @@ fuzztargets: $(FUZZBIN)
 # Lines run by the tests: gcov's counts, a line for each file and each folder.
 coverage:
 	rm -rf build/coverage
-	$(MAKE) BUILD=build/coverage CFLAGS='-O1 -g --coverage' CXXFLAGS='-O1 -g --coverage' \
+	$(MAKE) BUILD=build/coverage LIBCFLAGS= CFLAGS='-O1 -g --coverage' CXXFLAGS='-O1 -g --coverage' \
 	    LDFLAGS='$(LDFLAGS) --coverage' check
 	scripts/coverage build/coverage
 

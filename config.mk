@@ -5,6 +5,7 @@ CC       = gcc
 CXX      = g++
 CFLAGS   = -O2 -g
 CXXFLAGS = -O2 -g
+LIBCFLAGS = -O3
 OPENMP   = -fopenmp
 CPPFLAGS =
 WARN     = -Wall -Wextra -Wpedantic

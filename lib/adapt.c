@@ -88,12 +88,12 @@ solve(AdaptMap *m, const Disk *coarse, const int vertex[4], SpdReport *report)
 	return rectmap(&m->d, coarse, m->corner, m->u, m->v, &m->T, &m->certificate, report);
 }
 
-/* The marked faces into four; frees marked. */
+/* The marked faces of d, m's own disk or another one, into four, as m's; frees marked. */
 static int
-replace(AdaptMap *m, unsigned char *marked)
+replace(AdaptMap *m, const Disk *d, unsigned char *marked)
 {
 	Disk finer;
-	int e = refine_split(&m->d, marked, &finer);
+	int e = refine_split(d, marked, &finer);
 
 	free(marked);
 	if (e)
@@ -114,7 +114,7 @@ split(AdaptMap *m, int most)
 		free(marked);
 		return SPD_ENOMEM;
 	}
-	return replace(m, marked);
+	return replace(m, &m->d, marked);
 }
 
 /* All faces into four, so often as there is room, and quadratic elements on what there was
@@ -141,12 +141,12 @@ split_all(AdaptMap *m, const AdaptOptions *o, const int vertex[4], SpdReport *re
 	return e;
 }
 
-/* The faces at the corners into four: where the boundary is smooth the map is singular
- * there, the certificate would ask for it, and a solve is saved. */
+/* The faces of d at the corners into four, as m's: where the boundary is smooth the map is
+ * singular there, the certificate would ask for it, and a solve is saved. */
 static int
-split_corners(AdaptMap *m, const int vertex[4])
+split_corners(AdaptMap *m, const Disk *d, const int vertex[4])
 {
-	unsigned char *marked = malloc(m->d.m.nf), *corner = calloc(m->d.m.nv, 1);
+	unsigned char *marked = malloc(d->m.nf), *corner = calloc(d->m.nv, 1);
 	int t, k;
 
 	if (!marked || !corner) {
@@ -156,13 +156,13 @@ split_corners(AdaptMap *m, const int vertex[4])
 	}
 	for (k = 0; k < 4; k++)
 		corner[vertex[k]] = 1;
-	for (t = 0; t < m->d.m.nf; t++) {
-		const int *c = &m->d.m.tri[3*t];
+	for (t = 0; t < d->m.nf; t++) {
+		const int *c = &d->m.tri[3*t];
 
 		marked[t] = corner[c[0]] | corner[c[1]] | corner[c[2]];
 	}
 	free(corner);
-	return replace(m, marked);
+	return replace(m, d, marked);
 }
 
 static void *
@@ -188,12 +188,12 @@ copy_disk(const Disk *d, Disk *copy)
 int
 adapt_map(const Disk *d, const int vertex[4], const AdaptOptions *o, AdaptMap *a, SpdReport *report)
 {
-	int e, k = 0;
+	int graded = o->tolerance < 1 && d->m.nv < o->most, e, k;
 
 	memset(a, 0, sizeof *a);
-	e = copy_disk(d, &a->d);
-	for (k = 0; !e && k < GRADED && o->tolerance < 1 && a->d.m.nv < o->most; k++)
-		e = split_corners(a, vertex);
+	e = graded ? split_corners(a, d, vertex) : copy_disk(d, &a->d);
+	for (k = 1; !e && graded && k < GRADED && a->d.m.nv < o->most; k++)
+		e = split_corners(a, &a->d, vertex);
 	if (!e)
 		e = solve(a, NULL, vertex, report);
 	while (!e && a->certificate > o->tolerance && a->d.m.nv < o->most) {

@@ -82,7 +82,7 @@ longest(const Net *n)
 
 	for (k = 0; k < 3; k++) {
 		sub3(n->f[k], n->f[(k+1)%3], d);
-		most = fmax(most, norm3(d));
+		most = larger(most, norm3(d));
 	}
 	return most;
 }

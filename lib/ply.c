@@ -1,5 +1,4 @@
 /* ply.c - the data of a PLY file. */
-#include <math.h>
 #include <string.h>
 
 #include "plypriv.h"
@@ -60,7 +59,7 @@ whole(Record *c, double x, double lo)
 {
 	char show[SCAN_SHOW];
 
-	if (x >= lo && x <= 1e15 && floor(x) == x)
+	if (x >= lo && x <= 1e15 && (double)(long long)x == x)
 		return 0;
 	return mesh_fail(c->p->r->s->err, MESH_EFORMAT, "%s %lld has %g where a whole number belongs",
 	    scan_show(c->e->name, show), c->i, x);

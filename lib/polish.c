@@ -50,8 +50,10 @@ grid_init(Grid *a, Chart g, const Sampler *s)
 		a->x[p] = (p%g.nu)/(g.nu - 1.0);
 		a->y[p] = g.T*((p/g.nu)/(g.nv - 1.0));
 	}
-	sampler_grid(s, g, a->x, a->y, a->phi);
-	return 0;
+	if (!sampler_grid(s, g, a->x, a->y, a->phi))
+		return 0;
+	grid_free(a);
+	return POLISH_ENOMEM;
 }
 
 void
@@ -116,7 +118,7 @@ invert(const Shift *s, Chart g, int i, int j, double *x, double *y)
 	}
 }
 
-static void
+static int
 resample(const Sampler *sampler, const Grid *a, const Shift *s, Grid *b)
 {
 	int nu = a->g.nu, nv = a->g.nv, p;
@@ -133,7 +135,7 @@ resample(const Sampler *sampler, const Grid *a, const Shift *s, Grid *b)
 		b->x[p] = fmin(fmax(bicubic_value(&at, a->x), 0), 1);
 		b->y[p] = fmin(fmax(bicubic_value(&at, a->y), 0), sampler->l.T);
 	}
-	sampler_grid(sampler, b->g, b->x, b->y, b->phi);
+	return sampler_grid(sampler, b->g, b->x, b->y, b->phi) ? POLISH_ENOMEM : 0;
 }
 
 static void
@@ -212,7 +214,9 @@ advance(const Sampler *sampler, int metric, const State *a, State *b, Shift *shi
 	if (e)
 		return e;
 	copy_points(a->n, a->pu, a->pv, b);
-	resample(sampler, &a->grid, shift, &b->grid);
+	e = resample(sampler, &a->grid, shift, &b->grid);
+	if (e)
+		return e;
 	carry(a->grid.g, shift, b->n, b->pu, b->pv);
 	b->mean = mean_beltrami(&b->grid, mu);
 	return 0;

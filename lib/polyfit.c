@@ -22,27 +22,28 @@ static const double FLAT = 1e-10, TINY = 1e-100;
 static void
 whiten(const Hood *h, const double *u, const double *v, double to[2][2])
 {
-	double a = 0, b = 0, c = 0, size = 0, r, cosine, sine, x, y, xx = 0, yy = 0;
+	double a = 0, b = 0, c = 0, size = 0, unit, r, cosine, sine, x, y, xx = 0, yy = 0;
 	int o = h->v[0], k;
 
 	for (k = 1; k < h->n; k++)
-		size = fmax(size, fmax(fabs(u[h->v[k]] - u[o]), fabs(v[h->v[k]] - v[o])));
+		size = larger(size, larger(fabs(u[h->v[k]] - u[o]), fabs(v[h->v[k]] - v[o])));
 	memset(to, 0, 4*sizeof to[0][0]);
 	if (!(size > TINY))
 		return;
+	unit = 1/size;
 	for (k = 1; k < h->n; k++) {
-		x = (u[h->v[k]] - u[o])/size;
-		y = (v[h->v[k]] - v[o])/size;
+		x = (u[h->v[k]] - u[o])*unit;
+		y = (v[h->v[k]] - v[o])*unit;
 		a += x*x, b += x*y, c += y*y;
 	}
 	r = sqrt((a - c)*(a - c) + 4*b*b);
-	cosine = r > 0 ? sqrt(fmax(0, 1 + (a - c)/r)/2) : 1;
-	sine = r > 0 ? copysign(sqrt(fmax(0, 1 - (a - c)/r)/2), b) : 0;
+	cosine = r > 0 ? sqrt(larger(0, 1 + (a - c)/r)/2) : 1;
+	sine = r > 0 ? copysign(sqrt(larger(0, 1 - (a - c)/r)/2), b) : 0;
 	for (k = 1; k < h->n; k++) {
 		x = cosine*(u[h->v[k]] - u[o]) + sine*(v[h->v[k]] - v[o]);
 		y = cosine*(v[h->v[k]] - v[o]) - sine*(u[h->v[k]] - u[o]);
-		xx += x/size*(x/size);
-		yy += y/size*(y/size);
+		xx += x*unit*(x*unit);
+		yy += y*unit*(y*unit);
 	}
 	xx = size*sqrt(xx/(h->n - 1));
 	yy = size*sqrt(yy/(h->n - 1));
@@ -181,17 +182,19 @@ polyfit(Polyfit *f, const Hood *h, const Mesh *m, const double *u, const double 
 void
 polyfit_jet(const Polyfit *f, int degree, Jet *jet)
 {
-	double p[POLYFIT_TERMS] = { 0 }, (*to)[2] = (double (*)[2])f->to;
+	double p[POLYFIT_TERMS] = { 0 }, pivot[POLYFIT_TERMS], (*to)[2] = (double (*)[2])f->to;
 	int rank = f->rank, terms = degree*(degree + 3)/2, c, k, l;
 
 	while (rank > 0 && f->term[rank - 1] >= terms)
 		rank--;
+	for (k = 0; k < rank; k++)
+		pivot[k] = 1/f->a[k][f->term[k]];
 	for (c = 0; c < 3; c++) {
 		for (k = rank - 1; k >= 0; k--) {
 			p[f->term[k]] = f->a[k][POLYFIT_TERMS + c];
 			for (l = k + 1; l < rank; l++)
 				p[f->term[k]] -= f->a[k][f->term[l]]*p[f->term[l]];
-			p[f->term[k]] /= f->a[k][f->term[k]];
+			p[f->term[k]] *= pivot[k];
 		}
 		jet->u[c] = p[0]*to[0][0] + p[1]*to[1][0];
 		jet->v[c] = p[0]*to[0][1] + p[1]*to[1][1];

@@ -22,7 +22,7 @@ edges(const double *a, const double *b, const double *c, double u[3], double v[3
 	for (k = 0; k < 3; k++) {
 		u[k] = b[k] - a[k];
 		v[k] = c[k] - a[k];
-		m = fmax(m, fmax(fabs(u[k]), fabs(v[k])));
+		m = larger(m, larger(fabs(u[k]), fabs(v[k])));
 	}
 	if (!(m >= POLYGON_TINY && m <= 1/POLYGON_TINY))
 		return 0;
@@ -42,7 +42,7 @@ polygon_shape(const double *a, const double *b, const double *c, double n[3])
 		return;
 	for (k = 0; k < 3; k++)
 		w[k] = v[k] - u[k];
-	longest2 = fmax(dot3(u, u), fmax(dot3(v, v), dot3(w, w)));
+	longest2 = larger(dot3(u, u), larger(dot3(v, v), dot3(w, w)));
 	cross3(u, v, n);
 	for (k = 0; k < 3; k++)
 		n[k] /= 2 * longest2;
@@ -94,7 +94,7 @@ quad(Polygon *p)
 		polygon_put(p, 0, 1, 2);
 		polygon_put(p, 0, 2, 3);
 	}
-	return fmax(ac, bd) > POLYGON_FLAT;
+	return larger(ac, bd) > POLYGON_FLAT;
 }
 
 /* A vertex that face f has twice, or -1; mark[v] is the last face that had v. */

@@ -37,9 +37,15 @@ sampler_free(Sampler *s)
 	s->want = NULL;
 }
 
-/* The jets at the corners of the triangles that hold the points. */
+/* Where a point lies: barycentric coordinates 1 and 2 in triangle t. */
+typedef struct Place {
+	int    t;
+	double w[2];
+} Place;
+
+/* The places of the points; their triangles' corners want jets. */
 static void
-find_jets(const Sampler *s, int n, const double *x, const double *y)
+find_places(const Sampler *s, int n, const double *x, const double *y, Place *place)
 {
 	const Mesh *m = s->l.m;
 	int p;
@@ -49,7 +55,8 @@ find_jets(const Sampler *s, int n, const double *x, const double *y)
 		double w[3];
 		int k, t = locate(&s->l, x[p], y[p], w);
 
-		for (k = 0; k < 3; k++) {
+		place[p] = (Place){ t, { w[1], w[2] } };
+		for (k = 0; s->want && k < 3; k++) {
 			unsigned char *want = &s->want[m->tri[3*t + k]], is;
 
 			#pragma omp atomic read
@@ -60,40 +67,45 @@ find_jets(const Sampler *s, int n, const double *x, const double *y)
 			*want = GRADIENT_WANTED;
 		}
 	}
-	gradient_some(&s->stars, m, s->l.u, s->l.v, s->want, s->jet);
 }
 
 static void
-sample(const Sampler *s, double x, double y, double phi[3])
+sample(const Sampler *s, const Place *p, double phi[3])
 {
 	const Mesh *m = s->l.m;
 	const Clough clough = { m, s->l.u, s->l.v, s->jet };
-	double w[3];
-	int t = locate(&s->l, x, y, w), c;
-	const int *v = &m->tri[3*t];
+	const double w[3] = { 1 - p->w[0] - p->w[1], p->w[0], p->w[1] };
+	const int *v = &m->tri[3*p->t];
+	int c;
 
 	if (s->surface == SAMPLER_SMOOTH) {
-		clough_eval(&clough, t, w, phi);
+		clough_eval(&clough, p->t, w, phi);
 		return;
 	}
 	for (c = 0; c < 3; c++)
 		phi[c] = w[0]*m->xyz[3*v[0]+c] + w[1]*m->xyz[3*v[1]+c] + w[2]*m->xyz[3*v[2]+c];
 }
 
-void
+int
 sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double *const phi[3])
 {
-	int p;
+	int p, n = g.nu*g.nv;
+	Place *place = malloc(n*sizeof *place);
 
+	if (!place)
+		return SAMPLER_ENOMEM;
+	find_places(s, n, x, y, place);
 	if (s->surface == SAMPLER_SMOOTH)
-		find_jets(s, g.nu*g.nv, x, y);
+		gradient_some(&s->stars, s->l.m, s->l.u, s->l.v, s->want, s->jet);
 	#pragma omp parallel for schedule(static)
-	for (p = 0; p < g.nu*g.nv; p++) {
+	for (p = 0; p < n; p++) {
 		double at[3];
 		int c;
 
-		sample(s, x[p], y[p], at);
+		sample(s, &place[p], at);
 		for (c = 0; c < 3; c++)
 			phi[c][p] = at[c];
 	}
+	free(place);
+	return 0;
 }

@@ -27,7 +27,8 @@ int  sampler_init(Sampler *s, const Disk *d, const double *u, const double *v, d
 void sampler_free(Sampler *s);
 
 /* phi at every node of g, (x,y) its place in the chart of the mesh; all [nv][nu].  Finds
- * the jets that it needs, and keeps them: not from several threads at once. */
-void sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double *const phi[3]);
+ * the jets that it needs, and keeps them: not from several threads at once.  Returns 0 or
+ * SAMPLER_ENOMEM. */
+int  sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double *const phi[3]);
 
 #endif

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cpu.h"
 #include "meshpriv.h"
 
 enum { MAXNUMBER = 127 };       /* characters of one number */
@@ -169,15 +170,28 @@ scan_int(Token t, long long *i)
 	return 1;
 }
 
-unsigned long long
-scan_bytes(const char *p, int n, int big)
+INLINE unsigned long long
+bytes(const char *p, int n, int big)
 {
 	unsigned long long w = 0;
 	int i;
 
+#pragma GCC unroll 8
 	for (i = 0; i < n; i++)
 		w = w << 8 | (unsigned char)p[big ? i : n-1 - i];
 	return w;
+}
+
+/* A load each, for the compiler. */
+unsigned long long
+scan_bytes(const char *p, int n, int big)
+{
+	switch (n) {
+	case 1:  return (unsigned char)*p;
+	case 4:  return big ? bytes(p, 4, 1) : bytes(p, 4, 0);
+	case 8:  return big ? bytes(p, 8, 1) : bytes(p, 8, 0);
+	default: return bytes(p, n, big);
+	}
 }
 
 double

@@ -76,6 +76,8 @@ topology_connected(const Topology *t)
 	for (v = 0; v < t->nv; v++)
 		up[v] = v;
 	for (i = 0; i < 3 * t->nf; i++) {
+		if (t->twin[i] > i)
+			continue;       /* an edge once */
 		a = root(up, topology_from(t, i));
 		b = root(up, topology_to(t, i));
 		parts -= a != b;

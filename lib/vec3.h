@@ -32,4 +32,11 @@ norm3(const double a[3])
 	return sqrt(dot3(a, a));
 }
 
+/* As fmax where a is a number, and no call. */
+static inline double
+larger(double a, double b)
+{
+	return b > a ? b : a;
+}
+
 #endif

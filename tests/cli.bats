@@ -168,7 +168,25 @@ setup_file() {
 
 @test "threads that wait soon sleep, unless the environment says otherwise" {
 	local said='GOMP_SPINCOUNT ='
-	env -u GOMP_SPINCOUNT OMP_DISPLAY_ENV=verbose lhinfo --version 2>&1 | grep -q "$said '3000'"
-	env -u GOMP_SPINCOUNT OMP_DISPLAY_ENV=verbose OMP_WAIT_POLICY=active lhinfo --version 2>&1 | grep "$said" | grep -qv "'3000'"
+	env -u GOMP_SPINCOUNT OMP_DISPLAY_ENV=verbose lh2grid --version 2>&1 | grep -q "$said '3000'"
+	env -u GOMP_SPINCOUNT OMP_DISPLAY_ENV=verbose OMP_WAIT_POLICY=active lh2grid --version 2>&1 | grep "$said" | grep -qv "'3000'"
 	[ "$(env -u GOMP_SPINCOUNT bash -c 'exec -a other lhinfo --version' | wc -l)" = "$(lhinfo --version | wc -l)" ]
+}
+
+# tunables GIVEN: what GLIBC_TUNABLES is in a command that was given that; the loader cuts it
+# where the colons are.
+tunables() {
+	rm -f "$tmp/hold"
+	mkfifo "$tmp/hold"
+	env -u GOMP_SPINCOUNT GLIBC_TUNABLES="$1" lhinfo "$tmp/hold" 2>"$tmp/err" &
+	exec 9>"$tmp/hold"
+	tr '\0' '\n' <"/proc/$!/environ" | sed -n 's/^GLIBC_TUNABLES=//; /^glibc/p' | paste -sd :
+	exec 9>&-
+	wait $! || true
+}
+
+@test "large arrays ask for large pages; what the environment says of malloc stays" {
+	[ "$(tunables glibc.malloc.arena_max=3)" = glibc.malloc.arena_max=3:glibc.malloc.hugetlb=1 ]
+	[ "$(tunables glibc.malloc.hugetlb=0)" = glibc.malloc.hugetlb=0 ]
+	[ "$(tunables '')" = glibc.malloc.hugetlb=1 ]
 }
