@@ -87,7 +87,7 @@ cotangent_energy(const Mesh *m, const double *u, const double *v, double *Eu, do
  * edge that ends there.  place[3*t + k] is that of the side that faces corner k of face
  * t; next is [nv] scratch. */
 static void
-find_places(Cotangent *C, const Disk *d, int *place, int *next)
+find_places(Cotangent *C, const Disk *d, int *next)
 {
 	int *first = C->g.first, i;
 	size_t s, nf = d->m.nf;
@@ -104,8 +104,8 @@ find_places(Cotangent *C, const Disk *d, int *place, int *next)
 		const int *t = &d->m.tri[s - s%3];
 		int from = t[(s+1)%3], to = t[(s+2)%3];
 
-		place[s] = next[from]++;
-		C->g.adj[place[s]] = to;
+		C->place[s] = next[from]++;
+		C->g.adj[C->place[s]] = to;
 	}
 	for (i = 0; i < d->nb; i++)
 		C->g.adj[next[d->loop[(i+1)%d->nb]]++] = d->loop[i];
@@ -129,42 +129,60 @@ add_transpose(Cotangent *C, int i)
 
 /* The angles of a triangle go to the places of its sides. */
 static void
-put_angles(Cotangent *C, const Mesh *m, int t, const int *place)
+put_angles(Cotangent *C, const Mesh *m, int t)
 {
 	double w[3];
 	int k;
 
 	half_cotangents(m, t, w);
 	for (k = 0; k < 3; k++)
-		C->c[place[k]] = -w[k];
+		C->c[C->place[3*(size_t)t + k]] = -w[k];
 }
 
 int
-cotangent_init(Cotangent *C, const Disk *d)
+cotangent_graph(Cotangent *C, const Disk *d)
 {
 	size_t sides = 3*(size_t)d->m.nf;
-	int *place = malloc(sides*sizeof *place), *next = malloc(d->m.nv*sizeof *next), i;
+	int *next = malloc(d->m.nv*sizeof *next);
 
 	C->g.n = d->m.nv;
 	C->g.first = malloc((d->m.nv + (size_t)1)*sizeof *C->g.first);
 	C->g.adj = malloc((sides + d->nb)*sizeof *C->g.adj);
 	C->c = calloc(sides + d->nb, sizeof *C->c);
-	if (!place || !next || !C->g.first || !C->g.adj || !C->c) {
-		free(place);
+	C->place = malloc(sides*sizeof *C->place);
+	if (!next || !C->g.first || !C->g.adj || !C->c || !C->place) {
 		free(next);
 		cotangent_free(C);
 		return COTANGENT_ENOMEM;
 	}
-	find_places(C, d, place, next);
+	find_places(C, d, next);
+	free(next);
+	return 0;
+}
+
+void
+cotangent_values(Cotangent *C, const Disk *d)
+{
+	int i;
+
 #pragma omp parallel for
 	for (i = 0; i < d->m.nf; i++)
-		put_angles(C, &d->m, i, &place[3*(size_t)i]);
+		put_angles(C, &d->m, i);
 #pragma omp parallel for schedule(static)
 	for (i = 0; i < d->m.nv; i++)
 		add_transpose(C, i);
-	free(place);
-	free(next);
-	return 0;
+	free(C->place);
+	C->place = NULL;
+}
+
+int
+cotangent_init(Cotangent *C, const Disk *d)
+{
+	int e = cotangent_graph(C, d);
+
+	if (!e)
+		cotangent_values(C, d);
+	return e;
 }
 
 /* Row i of a matrix, scaled, to place k of another; returns the place behind. */
@@ -212,5 +230,6 @@ cotangent_free(Cotangent *C)
 	free(C->g.first);
 	free(C->g.adj);
 	free(C->c);
+	free(C->place);
 	memset(C, 0, sizeof *C);
 }

@@ -12,11 +12,16 @@ enum { COTANGENT_ENOMEM = -1 };
 typedef struct Cotangent {
 	Graph   g;
 	double *c;
+	int    *place;          /* [3*nf] in c, of the side that faces each corner; until c is known */
 } Cotangent;
 
 /* Returns 0 or COTANGENT_ENOMEM, nothing to free then. */
 int  cotangent_init(Cotangent *C, const Disk *d);
 void cotangent_free(Cotangent *C);
+
+/* The same in two steps: the graph, which is all that is needed for an order, and c. */
+int  cotangent_graph(Cotangent *C, const Disk *d);
+void cotangent_values(Cotangent *C, const Disk *d);
 
 /* The stiffness matrix of quadratic elements on a mesh, whose unknowns are the values at its
  * vertices and, after them, at the midpoints of its edges: with every triangle split

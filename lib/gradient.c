@@ -55,20 +55,31 @@ join(Hood *h, int v)
 	h->slot[k] = h->n;
 }
 
+/* The neighbours of vertex i, or some of a hub's.  Where its triangles close round it every one
+ * begins a side opposite to i as well as ending one; where they do not, the ends of those sides
+ * leave a remainder when the beginnings are taken off. */
+static void
+join_neighbours(const Mesh *m, const Stars *s, Hood *h, int i)
+{
+	int last = s->first[i + 1], step = 1 + (last - s->first[i] - 1)/FAN, l, side;
+	unsigned open = 0;
+
+	for (l = s->first[i]; l < last; l += step) {
+		side = topology_next(s->side[l]);
+		join(h, m->tri[side]);
+		open += (unsigned)m->tri[side] - (unsigned)m->tri[topology_next(side)];
+	}
+	for (l = s->first[i]; l < last && (open || step > 1); l += step)
+		join(h, m->tri[topology_next(topology_next(s->side[l]))]);
+}
+
 static void
 grow(const Mesh *m, const Stars *s, Hood *h)
 {
-	int end = h->n, k, l, side;
+	int end = h->n, k;
 
-	for (k = h->ring; k < end; k++) {
-		int i = h->v[k], last = s->first[i + 1], step = 1 + (last - s->first[i] - 1)/FAN;
-
-		for (l = s->first[i]; l < last; l += step) {
-			side = topology_next(s->side[l]);
-			join(h, m->tri[side]);
-			join(h, m->tri[topology_next(side)]);
-		}
-	}
+	for (k = h->ring; k < end; k++)
+		join_neighbours(m, s, h, h->v[k]);
 	h->ring = end;
 }
 

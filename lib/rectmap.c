@@ -25,15 +25,14 @@ release(Harmonic *h)
 	free(h->diagonal);
 }
 
-/* The matrix of d, of linear elements, or of quadratic ones on the disk that d was before
- * all its triangles were split. */
+/* The matrix of quadratic elements on the disk that d was before all its triangles were split. */
 static int
-stiffness(const Disk *d, const Disk *coarse, Cotangent *C)
+quadratic(const Disk *d, const Disk *coarse, Cotangent *C)
 {
 	Cotangent C0;
 	int e = cotangent_init(C, d);
 
-	if (e || !coarse)
+	if (e)
 		return e;
 	e = cotangent_init(&C0, coarse);
 	if (!e) {
@@ -43,6 +42,8 @@ stiffness(const Disk *d, const Disk *coarse, Cotangent *C)
 	return e;
 }
 
+/* The matrix of d, of linear elements, whose values are found while the factor is planned, or
+ * of quadratic ones. */
 static int
 prepare(const Disk *d, const Disk *coarse, Harmonic *h)
 {
@@ -50,13 +51,21 @@ prepare(const Disk *d, const Disk *coarse, Harmonic *h)
 
 	memset(h, 0, sizeof *h);
 	h->diagonal = calloc(d->m.nv, sizeof *h->diagonal);
-	e = !order || !h->diagonal || stiffness(d, coarse, &h->C) || order_graph(&h->C.g, order)
-	    || chol_init(&h->chol, &h->C.g, order) ? SPD_ENOMEM : 0;
+	e = !order || !h->diagonal || (coarse ? quadratic(d, coarse, &h->C) : cotangent_graph(&h->C, d))
+	    || order_graph(&h->C.g, order);
+#pragma omp parallel sections if(!e)
+	{
+#pragma omp section
+		e = e || chol_init(&h->chol, &h->C.g, order);
+#pragma omp section
+		if (h->C.place)
+			cotangent_values(&h->C, d);
+	}
 	for (i = 0; !e && i < d->m.nv; i++)
 		for (k = h->C.g.first[i]; k < h->C.g.first[i+1]; k++)
 			h->diagonal[i] -= h->C.c[k];
 	free(order);
-	return e;
+	return e ? SPD_ENOMEM : 0;
 }
 
 /* Sets side vertices of the loop, from corner a to corner b, to a value. */
