@@ -110,6 +110,8 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi)
 	FitProgress at;
 	Residue residue;
 
+	s.forecast = o->forecast;
+	s.detail = o->detail;
 	s.free = o->free;
 	s.adrift = o->free && !surfacefit_rings(g, o);
 	if (s.free && (g->nu < 3 || g->nv < 3))

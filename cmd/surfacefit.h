@@ -6,8 +6,9 @@
 #include "cmd.h"
 
 typedef struct SurfaceFit {
-	double tolerance;
-	int    steps, no_start, ideal, free;
+	double  tolerance;
+	int     steps, no_start, ideal, free;
+	double *forecast, *detail;      /* of lib/surface.h, or NULL */
 } SurfaceFit;
 
 /* Rings of band that are needed: all but one are for a start, and that one for a boundary

@@ -107,6 +107,23 @@ fit_level(const Level *l, const Residue *residue, int free, const FitOptions *o,
 	return r;
 }
 
+/* On the finest grid, whose phi is what the coarse ones make of it. */
+static int
+fit_finest(const Surface *s, double unit, const Level *l, const FitOptions *o, FitProgress *at)
+{
+	size_t n = 3*nodes(l->g), p;
+	int r;
+
+	if (s->detail)
+		memcpy(s->detail, l->phi, n*sizeof *s->detail);
+	for (p = 0; s->forecast && p < n; p++)
+		l->phi[p] += s->forecast[p]/unit;
+	r = fit_level(l, s->residue, s->free, o, at);
+	for (p = 0; s->detail && p < n; p++)
+		s->detail[p] = (l->phi[p] - s->detail[p])*unit;
+	return r;
+}
+
 /* The start of the coarsest level where no lattice says it: the frame method, with the
  * band of the finest. */
 static int
@@ -163,7 +180,7 @@ descend(const Surface *s, double unit, const Level *l, const FitOptions *o, doub
 	if (r < 0)
 		return r;
 	if (l->phi == finest)
-		return fit_level(l, s->residue, s->free, o, at);
+		return fit_finest(s, unit, l, o, at);
 	way.tolerance = o->tolerance > ENOUGH ? o->tolerance : ENOUGH;
 	way.most = ROUGH;
 	way.sharpen = 0;

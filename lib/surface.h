@@ -30,6 +30,9 @@ typedef struct Surface {
 	                                 * coarsest grid, from the three outer rings of phi */
 	int            free;            /* the boundary is not held */
 	int            adrift;          /* free: the border of phi is not given, a start is */
+	const double  *forecast;        /* [3][nv][nu] of the detail, or NULL: where the finest grid begins */
+	double        *detail;          /* out, or NULL: [3][nv][nu] what the finest grid's steps have
+	                                 * added to what came from the coarser one or the start */
 } Surface;
 
 /* phi     in/out  [3][nv][nu]: the border is given, the rest computed.  Where the boundary is

@@ -366,6 +366,40 @@ weights_are_sharp_as_soon_as_the_metric_is_there(void **state)
 	}
 }
 
+/* What the finest grid adds to the coarse ones, foretold, leaves it nothing to do. */
+static void
+detail_foretold_is_detail_found(void **state)
+{
+	static double detail[3*MOST], again[3*MOST];
+	Surface s = given(torus, FINE);
+	size_t n = 3*(size_t)FINE.nu*FINE.nv;
+	FitProgress at;
+	double size = 0;
+	size_t p;
+
+	(void)state;
+	for (p = 0; p < 3*12*10; p++)
+		start[p] *= 1024;
+	for (p = 0; p < n; p++)
+		truth[p] *= 1024;
+	for (p = 0; p < n/3; p++) {
+		lambda[p] *= 1024;
+		H[p] /= 1024;
+	}
+	s.detail = detail;
+	reconstruct(&s, 1, &EXACT);
+	memcpy(kept, found, n*sizeof *found);
+	for (p = 0; p < n; p++)
+		size = fmax(size, fabs(detail[p]));
+	assert_true(size > 1e-2);
+	s.forecast = detail;
+	s.detail = again;
+	memcpy(found, truth, n*sizeof *found);
+	assert_int_equal(surface(&s, &EXACT, found, &at), 1);
+	assert_true(at.step <= 2);
+	assert_true(largest(n, kept, found) < 1e-4 && largest(n, detail, again) < 1e-4);
+}
+
 typedef struct Falls {
 	double E;
 	int    steps, fell;
@@ -451,6 +485,7 @@ main(void)
 		cmocka_unit_test(free_boundaries_of_small_grids_are_no_trouble),
 		cmocka_unit_test(small_grids_are_no_trouble),
 		cmocka_unit_test(weights_are_sharp_as_soon_as_the_metric_is_there),
+		cmocka_unit_test(detail_foretold_is_detail_found),
 		cmocka_unit_test(steps_that_overshoot_are_shortened),
 		cmocka_unit_test(steps_that_do_not_suffice_are_told),
 		cmocka_unit_test(energies_that_are_no_numbers_are_told),
