@@ -18,6 +18,7 @@ static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a 
 static const double FLAT = 1e-6;        /* share of E not worth another step */
 /* E over the last one: below, it falls fast, steeply; above, hardly */
 static const double FAST = 0.1, STEEP = 0.5, STILL = 0.98;
+static const double SURE = 0.1;         /* share of the tolerance that is short whatever E does */
 static const double POOR = 0.25;        /* share of the fall foretold: below, the way is shortened */
 enum { SHORTER = 3 };           /* times */
 static const double CREEP = 1e-4;       /* share of E that ten steps must take */
@@ -224,8 +225,9 @@ remember(Past *past, double E, double way)
 }
 
 /* A step that was cut short shows nothing, unless the last ten together took hardly anything
- * off E or went nowhere: what belongs to no surface can creep.  Nor does a short one while E
- * still falls fast, or, where CG had no time to find the slow part of it, at all. */
+ * off E or went nowhere: what belongs to no surface can creep.  Nor does one that is
+ * but just short enough while E still falls fast, or, where CG had no time to find the slow part
+ * of it, at all. */
 static int
 converged(const FitOptions *o, const Outcome *is, double E, double way, const Past *past)
 {
@@ -235,7 +237,9 @@ converged(const FitOptions *o, const Outcome *is, double E, double way, const Pa
 	if (past->steps >= TEN
 	    && (past->E[then] - E < CREEP*past->E[then] || way - past->way[then] < o->tolerance))
 		return 1;
-	return !is->cut && ((is->change < o->tolerance && E > flat*past->E[last]) || is->fall <= FLAT*E);
+	if (is->cut)
+		return 0;
+	return is->change < (E > flat*past->E[last] ? 1 : SURE)*o->tolerance || is->fall <= FLAT*E;
 }
 
 int
