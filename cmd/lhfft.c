@@ -6,7 +6,7 @@
 #include "scales.h"
 #include "spectable.h"
 
-enum { K_LAMBDA = 256, K_H, SPECTABLE = CMD_UNRECORDED };
+enum { K_LAMBDA = 256, K_H, BENDING, NO_BENDING, SPECTABLE = CMD_UNRECORDED };
 
 static const char text[] =
 "usage: lhfft -K X[,X..] | --keep=N[,..] | --energy=SHARE[,..] | --low-pass=R[,..] [LH]\n"
@@ -18,7 +18,7 @@ static const char text[] =
 "                     mean square, that is with |C|/(nodes rms) 100 <= X; 0 changes\n"
 "                     nothing; X >= 0\n"
 "      --K-lambda=X, --K-H=X  a bound for one field, in place of -K; without -K the\n"
-"                     other field stays as it is\n"
+"                     other field stays as it is (H, by --K-H, is that of --bending)\n"
 "      --raw          X is compared with |C| itself, as equation (32) is written\n"
 "      --keep=N       keep the N largest coefficients of either field instead, N >= 1\n"
 "      --energy=SHARE keep the largest coefficients until they hold SHARE of the energy,\n"
@@ -30,18 +30,24 @@ static const char text[] =
 "                     minus its mean [this]\n"
 "      --no-log-lambda  filter lambda as it is; where it then falls below its least before,\n"
 "                     it is set to that, and the number of such nodes noted\n"
+"      --bending      filter lambda H in place of H, whose square, integrated over the\n"
+"                     rectangle, is the bending energy [this]\n"
+"      --no-bending   filter H as it is\n"
 "      --spectrum=FILE  also write a table of the coefficients before filtering: m, n, wave\n"
-"                     number (as --low-pass), |C| of lambda and of H in percent (as -K);\n"
+"                     number (as --low-pass), |C| of lambda and of lambda H, or of H, in\n"
+"                     percent (as -K);\n"
 "                     m n = 0 0 is the mean, one row stands for a conjugate pair; the input\n"
 "                     must be one grid\n"
 CMD_USAGE
 "The mean is never dropped.  In either basis sum |C|^2 = nodes sum f^2.  Cosines continue\n"
 "a field evenly across the border, exponentials periodically, with a jump there that takes\n"
 "many waves; the logarithm treats lambda alike where it is small and large, and leaves it\n"
-"positive.  So both are the default.  face_neutral at 257 x 257 nodes and K = 0.5: dft of\n"
-"lambda, dct of lambda, dct of its logarithm give back 157, 108, 98 % of the bending\n"
-"energy (the integral of H^2), and a surface 0.49, 0.37, 0.19 % of the square root of the\n"
-"area from the original in the mean.\n"
+"positive; and what the filter takes from lambda H it takes alike where a cell of the\n"
+"rectangle holds much area and little.  So all three are the default.  face_neutral at 257 x 257\n"
+"nodes and K = 0.5: dft of lambda and H, dct of the two, dct of log lambda and H, of log\n"
+"lambda and lambda H give back 135, 111, 101, 76 % of the bending energy (the integral of H^2),\n"
+"and a surface 0.49, 0.35, 0.21, 0.13 % of the square root of the area from the original in the\n"
+"mean.\n"
 "Under -v: how many coefficients of either field were kept.\n";
 
 static const struct option longopt[] = {
@@ -55,6 +61,8 @@ static const struct option longopt[] = {
 	{ "basis",         required_argument, NULL, 'b' },
 	{ "log-lambda",    no_argument,       NULL, 'l' },
 	{ "no-log-lambda", no_argument,       NULL, 'L' },
+	{ "bending",       no_argument,       NULL, BENDING },
+	{ "no-bending",    no_argument,       NULL, NO_BENDING },
 	{ "spectrum",      required_argument, NULL, SPECTABLE },
 	CMD_LONGOPT
 };
@@ -107,6 +115,8 @@ main(int argc, char *argv[])
 		case 'b': s.basis = opt_word(optarg, "dct\0dft\0", "basis"); break;
 		case 'l': s.log = 1; break;
 		case 'L': s.log = 0; break;
+		case BENDING: s.bending = 1; break;
+		case NO_BENDING: s.bending = 0; break;
 		case SPECTABLE: table = optarg; break;
 		}
 	cmd_operands(argc, argv, 0, 1);

@@ -12,7 +12,7 @@ static const char ways[] = "say one of -K X, --raw -K X, --keep=N, --energy=SHAR
 void
 scales_init(Scales *s)
 {
-	*s = (Scales){ .lambda = -1, .H = -1, .log = 1 };
+	*s = (Scales){ .lambda = -1, .H = -1, .log = 1, .bending = 1 };
 }
 
 static double
@@ -85,15 +85,16 @@ clamp(const CmdInput *in, const Lhg *g, double floor)
 		note("%s: lambda raised to %g, its least before, at %zu of %zu nodes", in->name, floor, count, n);
 }
 
-static void
-filter(const CmdInput *in, const Lhg *g, const char *name, SpectrumBasis basis, Filter by)
+/* Returns whether anything was dropped. */
+static int
+filter(const CmdInput *in, const Lhg *g, const char *name, double *f, SpectrumBasis basis, Filter by)
 {
-	double *f = cmd_need(in, g, name, LHG_GRID);
 	size_t kept, n = (size_t)g->nu*g->nv;
 
 	if (filter_field((Spectrum){ basis, { g->nu, g->nv, g->T } }, &by, f, &kept))
 		die("%s: no memory for the transform of %zu nodes", in->name, n);
 	detail("%s: %zu of %zu coefficients of %s kept", in->name, kept, n, name);
+	return kept < n;
 }
 
 double
@@ -110,13 +111,37 @@ scales_need(const CmdInput *in, const Lhg *g)
 	return floor;
 }
 
+const char *
+scales_name(const Scales *s)
+{
+	return s->bending ? "lambda H" : "H";
+}
+
+double *
+scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g)
+{
+	const double *lambda = cmd_need(in, g, "lambda", LHG_GRID), *H = cmd_need(in, g, "H", LHG_GRID);
+	size_t n = (size_t)g->nu*g->nv, p;
+	double *f = cmd_alloc(n, sizeof *f);
+
+	for (p = 0; p < n; p++)
+		f[p] = s->bending ? lambda[p]*H[p] : H[p];
+	return f;
+}
+
+/* A field of which nothing is dropped stays as it is, to the last bit. */
 void
 scales_apply(const Scales *s, int k, const CmdInput *in, Lhg *g)
 {
-	double floor = scales_need(in, g), K = s->bound[k];
+	size_t n = (size_t)g->nu*g->nv, p;
+	double floor = scales_need(in, g), K = s->bound[k], *lambda = lhg_find(g, "lambda")->f;
+	double *H = lhg_find(g, "H")->f, *f = scales_curvature(s, in, g);
 
-	filter(in, g, "lambda", s->basis, (Filter){ s->rule, s->lambda >= 0 ? s->lambda : K, s->log });
-	filter(in, g, "H", s->basis, (Filter){ s->rule, s->H >= 0 ? s->H : K, 0 });
+	filter(in, g, "lambda", lambda, s->basis, (Filter){ s->rule, s->lambda >= 0 ? s->lambda : K, s->log });
 	if (!s->log)
 		clamp(in, g, floor);
+	if (filter(in, g, scales_name(s), f, s->basis, (Filter){ s->rule, s->H >= 0 ? s->H : K, 0 }))
+		for (p = 0; p < n; p++)
+			H[p] = s->bending ? f[p]/lambda[p] : f[p];
+	free(f);
 }

@@ -14,10 +14,10 @@ typedef struct Scales {
 	int         n;                  /* how many scales */
 	double      bound[SCALES_MAX];
 	double      lambda, H;          /* --K-lambda and --K-H, or -1: the bound of the scale */
-	int         raw, log;           /* --raw, --log-lambda */
+	int         raw, log, bending;  /* --raw, --log-lambda, --bending */
 } Scales;
 
-/* Nothing said: cosines, the logarithm of lambda. */
+/* Nothing said: cosines, the logarithm of lambda, lambda H. */
 void scales_init(Scales *s);
 
 /* Take the list X or X,X,.. of an option, or exit 2. */
@@ -28,6 +28,10 @@ void scales_check(Scales *s);
 
 /* Dies unless g has lambda > 0 and H; gives the least lambda. */
 double scales_need(const CmdInput *in, const Lhg *g);
+
+/* The field that is filtered for H, lambda H or H itself, to be freed; and its name. */
+double *scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g);
+const char *scales_name(const Scales *s);
 
 /* Filter lambda and H of g as at scale k, or die. */
 void scales_apply(const Scales *s, int k, const CmdInput *in, Lhg *g);

@@ -14,11 +14,11 @@ opt_spectable(const char *file)
 }
 
 static double *
-spectrum_of(Spectrum space, const CmdInput *in, const Lhg *g, const char *name, int logarithm)
+spectrum_of(Spectrum space, const CmdInput *in, const char *name, const double *f, int logarithm)
 {
 	double *percent = cmd_alloc(spectrum_size(space), sizeof *percent);
 
-	if (filter_percent(space, logarithm, cmd_need(in, g, name, LHG_GRID), percent))
+	if (filter_percent(space, logarithm, f, percent))
 		die("%s: no memory for the spectrum of %s", in->name, name);
 	return percent;
 }
@@ -27,13 +27,14 @@ void
 spectable_write(const char *file, const CmdInput *in, const Lhg *g, const Scales *s)
 {
 	Spectrum space = { s->basis, { g->nu, g->nv, g->T } };
-	double *lambda = spectrum_of(space, in, g, "lambda", s->log), *H = spectrum_of(space, in, g, "H", 0);
+	double *f = scales_curvature(s, in, g), *H = spectrum_of(space, in, scales_name(s), f, 0);
+	double *lambda = spectrum_of(space, in, "lambda", cmd_need(in, g, "lambda", LHG_GRID), s->log);
 	int m, n, columns = spectrum_columns(space);
 	CmdText t;
 	size_t q;
 
 	cmd_text_open(&t);
-	fputs("m\tn\twave\tlambda\tH\n", t.f);
+	fprintf(t.f, "m\tn\twave\tlambda\t%s\n", scales_name(s));
 	for (q = 0; q < spectrum_size(space); q++) {
 		m = q%columns;
 		n = q/columns;
@@ -46,4 +47,5 @@ spectable_write(const char *file, const CmdInput *in, const Lhg *g, const Scales
 	free(t.bytes);
 	free(lambda);
 	free(H);
+	free(f);
 }

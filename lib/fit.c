@@ -21,7 +21,7 @@ static const double FAST = 0.1, STEEP = 0.5, STILL = 0.98;
 static const double SURE = 0.1;         /* share of the tolerance that is short whatever E does */
 static const double POOR = 0.25;        /* share of the fall foretold: below, the way is shortened */
 enum { SHORTER = 3 };           /* times */
-static const double CREEP = 1e-4;       /* share of E that ten steps must take */
+static const double CREEP = 5e-4;       /* share of E that ten steps must take */
 static const double WORTH = 1e-3;       /* least share of the decrease a CG step must add */
 
 typedef struct Work {

@@ -88,30 +88,44 @@ same() {
 
 @test "lhfft: K = 0 is the identity; the defaults by name are the defaults" {
 	local o
-	for o in '' --basis=dft --no-log-lambda '--basis=dft --no-log-lambda' --raw; do
+	for o in '' --basis=dft --no-log-lambda '--basis=dft --no-log-lambda' --no-bending --raw; do
 		lhfft -K 0 $o "$tmp/torus.lh" -o "$tmp/k"
 		same "$tmp/k" "$tmp/torus.lh"
 	done
 	same "$tmp/torus.lh" <(lhfft --energy=1 "$tmp/torus.lh")
 	same "$tmp/torus.lh" <(lhfft --low-pass=1000 "$tmp/torus.lh")
 	lhfft -K 1 "$tmp/torus.lh" -o "$tmp/k"
-	lhfft -K 1 --no-log-lambda --log-lambda --basis=dct "$tmp/torus.lh" -o "$tmp/named"
+	lhfft -K 1 --no-log-lambda --log-lambda --no-bending --bending --basis=dct "$tmp/torus.lh" -o "$tmp/named"
 	same "$tmp/k" "$tmp/named"
-	for o in --basis=dft --no-log-lambda --raw; do
+	for o in --basis=dft --no-log-lambda --no-bending --raw; do
 		lhfft -K 1 $o "$tmp/torus.lh" -o "$tmp/not"
 		! same "$tmp/k" "$tmp/not" || { echo "$o does nothing"; return 1; }
 	done
 }
 
 @test "lhfft: bounds for either field" {
-	lhfft -K 2 "$tmp/torus.lh" -o "$tmp/two"
-	lhfft -K 1 --K-H 2 "$tmp/torus.lh" -o "$tmp/apart"
+	lhfft -K 2 --no-bending "$tmp/torus.lh" -o "$tmp/two"
+	lhfft -K 1 --K-H 2 --no-bending "$tmp/torus.lh" -o "$tmp/apart"
 	same "$tmp/apart" "$tmp/two" H
 	same "$tmp/apart" <(lhfft -K 1 "$tmp/torus.lh") lambda
 	lhfft --K-lambda 2 "$tmp/torus.lh" -o "$tmp/apart"
 	same "$tmp/apart" "$tmp/two" lambda
 	same "$tmp/apart" "$tmp/torus.lh" H
 	! same "$tmp/apart" "$tmp/torus.lh" lambda
+}
+
+@test "lhfft: it is lambda H that is filtered, and H is what then belongs to lambda" {
+	lhfft --low-pass=0 "$tmp/torus.lh" -o "$tmp/mean"
+	/usr/bin/python3 - "$tmp/torus.lh" "$tmp/mean" <<-'END'
+		import sys
+		sys.path.insert(0, 'scripts')
+		import lhg, numpy as np
+		a, b = (list(lhg.read(f))[-1] for f in sys.argv[1:3])
+		bend = b['lambda']*b['H']
+		assert np.ptp(b['lambda']) < 1e-9 and np.ptp(bend) < 1e-9
+		assert abs(bend.mean() - (a['lambda']*a['H']).mean()) < 1e-9
+		assert abs(bend.mean() - b['lambda'].mean()*a['H'].mean()) > 1e-3
+	END
 }
 
 @test "lhfft: several scales are the frames of one stream" {
@@ -138,12 +152,15 @@ same() {
 }
 
 @test "lhfft: --spectrum is the table that -K and --low-pass choose from" {
-	local o line
+	local o line H
 	lhfft -K 1 "$tmp/torus.lh" -o "$tmp/plain"
-	for o in --basis=dct --basis=dft --no-log-lambda; do
+	for o in --basis=dct --basis=dft --no-log-lambda --no-bending; do
 		lhfft -v -K 1 $o --spectrum="$tmp/table" "$tmp/torus.lh" 2>"$tmp/err" >"$tmp/out"
-		for line in 'lambda 4' 'H 5'; do        # what is above 1 percent is what was kept
-			set -- $line
+		H='lambda H'
+		[ $o != --no-bending ] || H=H
+		head -n 1 "$tmp/table" | grep -q "	$H\$"
+		for line in 4 5; do             # what is above 1 percent is what was kept
+			set -- "$([ $line = 4 ] && echo lambda || echo "$H")" $line
 			awk -F'\t' -v c=$2 -v dft=$([ $o = --basis=dft ] && echo 1) \
 				'NR > 1 && ($1 + $2 == 0 && $1 == 0 || $c > 1) { n += dft && $1 > 0 ? 2 : 1 } END { print n }' \
 				"$tmp/table" >"$tmp/count"

@@ -19,7 +19,7 @@ multi() {
 
 # kept ROLE: percent of the coefficients of both fields, from what lhfft -v said.
 kept() {
-	awk '/ of lambda / { a = $3; n = $5 } / of H / { printf "%.3g ", 100*(a + $3)/(n + $5) }' "$w/$1.kept"
+	awk '/ of lambda kept/ { a = $3; n = $5 } / of lambda H kept/ { printf "%.3g ", 100*(a + $3)/(n + $5) }' "$w/$1.kept"
 }
 
 # bends ROLE: whether its bending energy keeps below 103 % and falls from K = 0.5 on.
