@@ -9,7 +9,7 @@ morph() {
 	python paper.d/meet.py "$w/$m-start.lhg" "$w/$m-there.lhg" "$w/$m-end.lhg"
 	run grid2lh -q "$w/$m-end.lhg" -o "$w/$m-end-lh.lhg"
 	run lhinterp -q -n "$frames" "$w/$m-start-lh.lhg" "$w/$m-end-lh.lhg" -o "$w/$m-lh.lhg"
-	timed "$m" lh2grid -q "$w/$m-lh.lhg" -o "$w/$m.lhg"
+	timed "$m" lh2grid -q --keyframes=7 "$w/$m-lh.lhg" -o "$w/$m.lhg"
 	echo "| $(title "$a") to $(title "$b") | $(cat "$w/$m.seconds") |" >>"$out/times.md"
 	diffs "$m-start" "$m" --hausdorff-error=2e-4
 	column "$m" hausdorff_rel 100 >"$w/$m.hausdorff"
@@ -54,7 +54,7 @@ morph_said() {
 
 say '## Figures 10 to 13: morphs' '' "Grids of $((rows + 1)) x $((rows + 1)) nodes, $frames frames; B scaled to the area of A and moved rigidly onto it." '' \
 	"    mesh2rect -n $rows --like=A.lhg B -o B.lhg" \
-	"    lhinterp -n $frames A.lhg B.lhg | lh2grid -o MORPH.lhg; lhdiff --hausdorff-error=2e-4 A.lhg MORPH.lhg" ''
+	"    lhinterp -n $frames A.lhg B.lhg | lh2grid --keyframes=7 -o MORPH.lhg; lhdiff --hausdorff-error=2e-4 A.lhg MORPH.lhg" ''
 printf '\n%s\n\n%s\n%s\n' "Seconds of lh2grid, $frames frames, $((rows + 1)) x $((rows + 1)) nodes" '| morph | lh2grid |' '|---|---|' >>"$out/times.md"
 # The mask is the face that corresponds to the man's; mkmesh has none.
 lady=mask
