@@ -73,6 +73,17 @@ range_width(const CmdInput *in, const Lhg *g, const char *name)
 }
 
 void
+range_field(const CmdInput *in, const Lhg *g, const char *what, const double *f)
+{
+	size_t n = (size_t)g->nu*g->nv, p;
+
+	for (p = 0; p < n; p++)
+		if (fabs(f[p]) > NUMBER)
+			die("%s: %s is %.3g at node (%zu,%zu), more than %g", in->name, what, f[p],
+			    p%g->nu, p/g->nu, NUMBER);
+}
+
+void
 range_channel(const CmdInput *in, const Lhg *g, const char *name)
 {
 	const LhgChannel *c = lhg_find(g, name);

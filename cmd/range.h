@@ -19,6 +19,10 @@ void range_lambda_h(const CmdInput *in, const Lhg *g, const double *lambda, cons
  * coordinate of it that spans more than a thousand times that is none of it, so die. */
 void range_width(const CmdInput *in, const Lhg *g, const char *name);
 
+/* A field, the product of channels, of g's nodes whose squares are to be summed: not beyond
+ * 1e100, or die; what says what it is. */
+void range_field(const CmdInput *in, const Lhg *g, const char *what, const double *f);
+
 /* A channel of g whose squares are to be summed: not beyond 1e100, or die. */
 void range_channel(const CmdInput *in, const Lhg *g, const char *name);
 

@@ -126,6 +126,7 @@ scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g)
 
 	for (p = 0; p < n; p++)
 		f[p] = s->bending ? lambda[p]*H[p] : H[p];
+	range_field(in, g, scales_name(s), f);
 	return f;
 }
 

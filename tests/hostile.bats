@@ -162,6 +162,7 @@ for c in 'xyz': g[c][:] *= $s"
 		lh;g['H'][:] = -1e308;H lambda is;lh2grid --method=frame
 		lh;g['H'][8,8] = 1e300;channel H has a sample of 1e\+300;lhfft -K 1
 		lh;g['H'][8,8] = 1e300;channel H has a sample of 1e\+300;lhfft --energy=0.5
+		lh;g['H'][8,8], g['lambda'][:] = 1e90, 1e50;lambda H is 1e\+140 at node \(8,8\), more than 1e\+100;lhfft -K 1
 		lh;g['start.y'][5] = 1e300;channel start.y has a sample of 1e\+300;lh2grid
 		lh;g['start.y'][5] = 1e30;channel start.y is 1e\+30 wide, where lambda allows;lh2grid
 		lh;g['band.z'][5] = 1e30;channel band.z is 1e\+30 wide, where lambda allows;lh2grid --method=frame

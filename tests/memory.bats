@@ -39,6 +39,7 @@ share=4
 @test "lh2grid" {
 	short_of $share lh2grid "$tmp/all"
 	short_of $share lh2grid --no-start "$tmp/lh"
+	short_of $share lh2grid --keyframes=2 "$tmp/lh"
 	short_of $share lh2grid --method=frame "$tmp/lh"
 }
 
