@@ -44,7 +44,7 @@ CMD_USAGE
 "--keyframes=6 takes little more than half the time where one surface becomes a similar one\n"
 "(a face another face), a tenth less where it becomes another; what differs is as little as\n"
 "between two starts.  What does not converge is refused.  Memory: about 31 numbers a node in\n"
-"all, 26 MB at 257 x 257, 252 MB at 1025 x 1025; 3 more with --follow, 9 + 2 N with\n"
+"all, 25 MB at 257 x 257, 246 MB at 1025 x 1025; 3 more with --follow, 9 + 2 N with\n"
 "--keyframes.\n"
 "The frame method: least squares of the Codazzi equations, of the natural frame equations\n"
 "(13) and of x_u and x_v, on cell centres, three rings of band given.  257 x 257 nodes take\n"

@@ -57,3 +57,13 @@ field_turn(size_t n, const double *x, double a, double *y)
 	for (p = 0; p < n; p++)
 		y[p] = x[p] + a*y[p];
 }
+
+void
+field_scale(size_t n, double a, const double *x, double *y)
+{
+	size_t p;
+
+#pragma omp parallel for simd schedule(static) if(n > 2*BLOCK)
+	for (p = 0; p < n; p++)
+		y[p] = a*x[p];
+}

@@ -14,4 +14,7 @@ void field_add(size_t n, double a, const double *x, double *y);
 /* y = x + a y */
 void field_turn(size_t n, const double *x, double a, double *y);
 
+/* y = a x, which are the same or lie apart. */
+void field_scale(size_t n, double a, const double *x, double *y);
+
 #endif

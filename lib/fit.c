@@ -1,7 +1,6 @@
 /* fit.c - Gauss-Newton steps in a trust region. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "field.h"
 #include "fit.h"
@@ -69,7 +68,7 @@ precondition(Work *k)
 {
 	double w = k->m->w;
 
-	memcpy(k->z, k->r, k->n*sizeof *k->z);
+	field_scale(k->n, 1, k->r, k->z);
 	plate_solve(&k->plate, k->m->scale, TENSION*w*w*k->m->scale, k->z);
 	k->solves++;
 }
@@ -90,9 +89,9 @@ conjugate_gradients(Work *k, const double *phi, double *length, int *spent)
 	int steps, out, most = !k->m->free ? MOST_CG : k->near ? MOST_CG_NEAR : MOST_CG_FREE;
 	double worth = k->m->free && k->near ? WORTH_NEAR : WORTH;
 
-	memset(k->d, 0, k->n*sizeof *k->d);
 	precondition(k);
-	memcpy(k->p, k->z, k->n*sizeof *k->p);
+	field_scale(k->n, 0, k->z, k->d);
+	field_scale(k->n, 1, k->z, k->p);
 	pp = rz = field_dot(k->n, k->r, k->z);
 	stop = REDUCTION*REDUCTION*rz;
 	for (steps = 0; rz > stop && steps < most; steps++) {
@@ -136,7 +135,7 @@ typedef struct Outcome {
 static double
 trial(Work *k, const double *phi, double t)
 {
-	memcpy(k->y, phi, k->n*sizeof *phi);
+	field_scale(k->n, 1, phi, k->y);
 	field_add(k->n, t, k->d, k->y);
 	return misfit_energy(k->m, k->y);
 }
@@ -167,11 +166,10 @@ step(Work *k, double *phi, double *E)
 {
 	double length, bd, t, E2, gain;
 	Outcome is;
-	size_t p;
 
 	misfit_gradient(k->m, phi, k->r);
-	for (p = 0; p < k->n; p++)
-		k->y[p] = k->r[p] = -k->r[p];
+	field_scale(k->n, -1, k->r, k->r);
+	field_scale(k->n, 1, k->r, k->y);
 	is.fall = conjugate_gradients(k, phi, &length, &is.spent);
 	bd = field_dot(k->n, k->y, k->d);
 	is.cut = length > 0.99*k->radius;
@@ -186,7 +184,7 @@ step(Work *k, double *phi, double *E)
 		k->radius *= 2;
 	k->near = gain > NEAR && !is.cut && is.change < NEARBY;
 	if (is.taken) {
-		memcpy(phi, k->y, k->n*sizeof *phi);
+		field_scale(k->n, 1, k->y, phi);
 		*E = E2;
 	}
 	return is;
