@@ -26,6 +26,7 @@ ifdef SANITIZE
 ALL_CFLAGS   += -fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer
 ALL_CXXFLAGS += -fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer
 LDFLAGS      += -fsanitize=$(SANITIZE)
+LIBCFLAGS    :=                         # with which gcc warns of what is not there
 endif
 
 LIBOBJ   := $(patsubst %,$(BUILD)/%.o,$(basename $(wildcard format/*.c lib/*.c lib/*.cc)))
@@ -92,6 +93,9 @@ $(BUILD)/%.o: %.cc config.mk
 
 # A product and its sum are one instruction where the processor has it.
 $(BUILD)/lib/product.o: ALL_CFLAGS += -ffp-contract=fast
+
+# Several nodes at a time, whatever CFLAGS say.
+$(BUILD)/lib/misfit.o $(BUILD)/lib/misfitapply.o $(BUILD)/lib/sine.o $(BUILD)/lib/cosine.o: ALL_CFLAGS += -O3
 
 demo:
 	scripts/deps
