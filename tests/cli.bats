@@ -190,3 +190,39 @@ tunables() {
 	[ "$(tunables glibc.malloc.hugetlb=0)" = glibc.malloc.hugetlb=0 ]
 	[ "$(tunables '')" = glibc.malloc.hugetlb=1 ]
 }
+
+@test "mkmesh: kinds are listed, parameters go by name" {
+	[ "$(mkmesh --list | grep -cx -e cap -e torus -e moebius)" = 3 ]
+	try 2 'R: want NAME=VALUE'              /dev/null mkmesh -n 60 cap R
+	try 2 'legs: a cap has no such param'   /dev/null mkmesh -n 60 cap legs=4
+	try 2 'x.txt: want a name in .off'      /dev/null mkmesh -n 60 cap -o "$tmp/x.txt"
+	[ ! -e "$tmp/x.txt" ]
+}
+
+@test "mesh2rect --max-vertices bounds the splitting; --allow-flips changes no map without one" {
+	mkmesh -n 300 cap -o "$tmp/flips.off"
+	mesh2rect -q -n 8 --max-vertices=400 "$tmp/flips.off" -o "$tmp/few"
+	[ "$(grep -a '^meta solved' "$tmp/few" | cut -d' ' -f3)" -le 500 ]
+	[ "$(mesh2rect -q -n 8 "$tmp/flips.off" | grep -a '^meta solved' | cut -d' ' -f3)" -gt 1000 ]
+	mesh2rect -q -n 8 "$tmp/flips.off" | grep -av ^history >"$tmp/a"
+	mesh2rect -q -n 8 --allow-flips "$tmp/flips.off" | grep -av ^history >"$tmp/b"
+	[ "$(grep -a ^meta "$tmp/a")" = "$(grep -a ^meta "$tmp/b")" ]
+}
+
+@test "lhinfo --json: quotes, backslashes and bytes of no alphabet in a datum are still JSON" {
+	/usr/bin/python3 - "$tmp/lh.odd" <<-'END'
+		import sys
+		sys.path.insert(0, 'scripts')
+		import lhg, numpy as np
+		g = lhg.Grid(5, 4, 1.0)
+		g.channels['x'] = lhg.Channel(np.zeros((4, 5)), 'length')
+		g.meta['said'] = 'a "b" c\\d \u00e9'
+		lhg.write(sys.argv[1], [g])
+	END
+	lhinfo --json "$tmp/lh.odd" >"$tmp/json"
+	/usr/bin/python3 - "$tmp/json" <<-'END'
+		import json, sys
+		grid, = map(json.loads, open(sys.argv[1], encoding='utf-8'))
+		assert grid['meta']['said'] == 'a "b" c\\d \u00e9'
+	END
+}
