@@ -25,10 +25,10 @@ fits(const Key *k, const Lhg *g)
 static Key
 convert_key(const CmdInput *in, Lhg *g, int every, SurfaceFit o, KeyframesConvert *convert)
 {
-	Key k = { g->nu, g->nv, cmd_alloc(numbers(g), sizeof *k.detail) };
+	Key k = { g->nu, g->nv, NULL };
 
-	claim(in->name, "the frames from key to key", (double)g->nu*g->nv, 8*(40 + 2.0*every));
-	o.detail = k.detail;
+	claim(in->name, "the way from key to key", (double)g->nu*g->nv, 8*(40 + 2.0*every));
+	o.detail = k.detail = cmd_alloc(numbers(g), sizeof *k.detail);
 	convert(in, g, &o);
 	return k;
 }
@@ -49,18 +49,25 @@ convert_between(const CmdInput *in, Lhg *g, const Key *a, const Key *b, double t
 	free(o.forecast);
 }
 
+/* Reads so many grids, fewer at the end of the stream. */
+static int
+take(CmdInput *in, Lhg *g, int room)
+{
+	int n;
+
+	for (n = 0; n < room && cmd_read(in, &g[n]); n++)
+		;
+	return n;
+}
+
 void
 keyframes(CmdInput *in, int every, const SurfaceFit *o, KeyframesConvert *convert)
 {
 	Lhg *g = cmd_alloc(every, sizeof *g);
 	Key last = { 0 }, next;
-	int i, n, room = 1;             /* the first of all frames is a key */
+	int i, n, room = 1;             /* the first of all frames is a key, and so is the last */
 
-	for (;; room = every) {
-		for (n = 0; n < room && cmd_read(in, &g[n]); n++)
-			;
-		if (n == 0)
-			break;
+	for (; (n = take(in, g, room)) > 0; room = every) {
 		next = convert_key(in, &g[n-1], every, *o, convert);
 		for (i = 0; i < n; i++) {
 			if (i < n - 1)
@@ -71,7 +78,7 @@ keyframes(CmdInput *in, int every, const SurfaceFit *o, KeyframesConvert *conver
 		free(last.detail);
 		last = next;
 		if (n < room)
-			break;
+			break;          /* the stream has ended and is closed */
 	}
 	free(last.detail);
 	free(g);

@@ -85,16 +85,17 @@ clamp(const CmdInput *in, const Lhg *g, double floor)
 		note("%s: lambda raised to %g, its least before, at %zu of %zu nodes", in->name, floor, count, n);
 }
 
-/* Returns whether anything was dropped. */
+/* Returns whether f has changed. */
 static int
 filter(const CmdInput *in, const Lhg *g, const char *name, double *f, SpectrumBasis basis, Filter by)
 {
 	size_t kept, n = (size_t)g->nu*g->nv;
+	int changed = filter_field((Spectrum){ basis, { g->nu, g->nv, g->T } }, &by, f, &kept);
 
-	if (filter_field((Spectrum){ basis, { g->nu, g->nv, g->T } }, &by, f, &kept))
+	if (changed < 0)
 		die("%s: no memory for the transform of %zu nodes", in->name, n);
 	detail("%s: %zu of %zu coefficients of %s kept", in->name, kept, n, name);
-	return kept < n;
+	return changed;
 }
 
 double
@@ -105,7 +106,7 @@ scales_need(const CmdInput *in, const Lhg *g)
 	cmd_need(in, g, "H", LHG_GRID);
 	if (!(floor > 0))
 		die("%s: lambda is not positive everywhere", in->name);
-	claim(in->name, "the transform", (double)g->nu*g->nv, 8*8);
+	claim(in->name, "the transform", (double)g->nu*g->nv, 8*10);
 	range_channel(in, g, "lambda");
 	range_channel(in, g, "H");
 	return floor;

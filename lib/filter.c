@@ -154,7 +154,7 @@ filter_field(Spectrum s, const Filter *by, double *f, size_t *kept)
 	size_t n = (size_t)s.g.nu*s.g.nv, p;
 	double bound = by->bound;
 	Waves w;
-	int e = waves_of(s, by->log, f, &w);
+	int e = waves_of(s, by->log, f, &w), changed;
 
 	if (e)
 		return e;
@@ -165,11 +165,12 @@ filter_field(Spectrum s, const Filter *by, double *f, size_t *kept)
 	case FILTER_ENERGY:  e = last_of_sum(s, by->rule, w.a, &bound); break;
 	case FILTER_LOWPASS: longer_first(s, w.a, &bound); break;
 	}
-	if (!e && drop(s, w.C, w.a, bound, by->rule != FILTER_PERCENT && by->rule != FILTER_RAW, kept)) {
+	changed = !e && drop(s, w.C, w.a, bound, by->rule != FILTER_PERCENT && by->rule != FILTER_RAW, kept);
+	if (changed) {
 		e = spectrum_inverse(s, w.C, w.x);
 		for (p = 0; p < n && !e; p++)
 			f[p] = by->log ? exp(w.x[p]) : w.x[p];
 	}
 	waves_free(&w);
-	return e;
+	return e ? e : changed;
 }

@@ -29,7 +29,7 @@ typedef struct Filter {
 
 /* Drop coefficients of f by the rule, in place.  A field of which nothing but zeros is
  * dropped is left as it is, to the last bit.  *kept: how many of nu nv stay.
- * Returns 0 or FILTER_ENOMEM. */
+ * Returns 1 if f has changed, 0 if not, or FILTER_ENOMEM. */
 int filter_field(Spectrum s, const Filter *by, double *f, size_t *kept);
 
 /* What FILTER_PERCENT compares, spectrum_size(s) numbers; 0 where rms is 0.

@@ -1,6 +1,7 @@
 /* fit.c - Gauss-Newton steps in a trust region. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "field.h"
 #include "fit.h"
@@ -89,8 +90,8 @@ conjugate_gradients(Work *k, const double *phi, double *length, int *spent)
 	int steps, out, most = !k->m->free ? MOST_CG : k->near ? MOST_CG_NEAR : MOST_CG_FREE;
 	double worth = k->m->free && k->near ? WORTH_NEAR : WORTH;
 
+	memset(k->d, 0, k->n*sizeof *k->d);
 	precondition(k);
-	field_scale(k->n, 0, k->z, k->d);
 	field_scale(k->n, 1, k->z, k->p);
 	pp = rz = field_dot(k->n, k->r, k->z);
 	stop = REDUCTION*REDUCTION*rz;

@@ -42,6 +42,23 @@ quadratic(const Disk *d, const Disk *coarse, Cotangent *C)
 	return e;
 }
 
+/* Plans the factor, and at the same time finds the values of the matrix if they are wanted. */
+static int
+plan(const Disk *d, int values, Harmonic *h, const int *order)
+{
+	int e;
+
+#pragma omp parallel sections
+	{
+#pragma omp section
+		e = chol_init(&h->chol, &h->C.g, order);
+#pragma omp section
+		if (values)
+			cotangent_values(&h->C, d);
+	}
+	return e;
+}
+
 /* The matrix of d, of linear elements, whose values are found while the factor is planned, or
  * of quadratic ones. */
 static int
@@ -53,14 +70,8 @@ prepare(const Disk *d, const Disk *coarse, Harmonic *h)
 	h->diagonal = calloc(d->m.nv, sizeof *h->diagonal);
 	e = !order || !h->diagonal || (coarse ? quadratic(d, coarse, &h->C) : cotangent_graph(&h->C, d))
 	    || order_graph(&h->C.g, order);
-#pragma omp parallel sections if(!e)
-	{
-#pragma omp section
-		e = e || chol_init(&h->chol, &h->C.g, order);
-#pragma omp section
-		if (h->C.place)
-			cotangent_values(&h->C, d);
-	}
+	if (!e)
+		e = plan(d, !coarse, h, order);
 	for (i = 0; !e && i < d->m.nv; i++)
 		for (k = h->C.g.first[i]; k < h->C.g.first[i+1]; k++)
 			h->diagonal[i] -= h->C.c[k];

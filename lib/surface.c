@@ -267,9 +267,11 @@ surface(const Surface *s, const FitOptions *o, double *phi, FitProgress *at)
 	int r = SURFACE_ENOMEM;
 
 	*at = (FitProgress){ .nu = s->g.nu, .nv = s->g.nv };
-	if (s->g.nu < 3 || s->g.nv < 3)
+	if (s->g.nu < 3 || s->g.nv < 3) {
+		for (p = 0; s->detail && p < 3*n; p++)
+			s->detail[p] = 0;
 		r = 1;
-	else if (finest.lambda2 && finest.l2H) {
+	} else if (finest.lambda2 && finest.l2H) {
 		for (p = 0; p < n; p++) {
 			finest.lambda2[p] = s->lambda[p]/unit*(s->lambda[p]/unit);
 			finest.l2H[p] = finest.lambda2[p]*(s->H[p]*unit);

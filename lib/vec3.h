@@ -1,4 +1,4 @@
-/* vec3.h - the few operations on three numbers that kernels need. */
+/* vec3.h - the few operations on three numbers that kernels need, and one on two. */
 #ifndef VEC3_H
 #define VEC3_H
 

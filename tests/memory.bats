@@ -63,6 +63,9 @@ share=4
 	/usr/bin/python3 tests/hostile.py "$tmp/phi" "$tmp/large" 'g = size(600, 600, 3)'
 	(ulimit -v 1500000 && try 1 'large: no memory: the frame method needs about 1958400000 bytes, there are 1536000000$' \
 	    /dev/null lh2grid --method=frame "$tmp/large")
+	/usr/bin/python3 tests/hostile.py "$tmp/lh" "$tmp/large" 'g = size(300, 300, 3)'
+	(ulimit -v 1000000 && try 1 'large: no memory: the way from key to key needs about 1468800000 bytes, there are 1024000000$' \
+	    /dev/null lh2grid --keyframes=1000 "$tmp/large")
 	(ulimit -v 1500000 && try 1 'cap.off: no memory: the map needs about 3997696000 bytes, there are 1536000000$' \
 	    /dev/null mesh2rect -n 4 --split=8 --max-vertices=100000000 "$tmp/cap.off")
 	(ulimit -v 1500000 && mesh2rect -n 8 "$tmp/cap.off" >/dev/null)

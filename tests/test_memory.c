@@ -164,7 +164,7 @@ filtered(int basis)
 	for (p = 0; p < NODES; p++)
 		f[p] = 1 + p%5;
 	e = filter_field(s, &by, f, &kept);
-	return e ? e : filter_percent(s, 1, f, out);
+	return e < 0 ? e : filter_percent(s, 1, f, out);
 }
 
 static int

@@ -21,7 +21,7 @@ random_field(double *f, unsigned long long seed)
 static void
 filter(Spectrum s, FilterRule rule, double bound, int log, double *f, size_t *kept)
 {
-	assert_int_equal(filter_field(s, &(Filter){ rule, bound, log }, f, kept), 0);
+	assert_true(filter_field(s, &(Filter){ rule, bound, log }, f, kept) >= 0);
 }
 
 static void

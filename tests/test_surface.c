@@ -12,6 +12,7 @@ static const Chart ROUGH = { 25, 24, 0.8 }, MIDDLE = { 49, 47, 0.8 }, COARSE = {
 enum { MOST = 139*133 };
 
 static double truth[3*MOST], found[3*MOST], kept[3*MOST], lambda[MOST], H[MOST], start[3*12*10], fine_start[3*70*67];
+static double again[3*MOST];
 static double nu[2][MOST], tau[2][MOST];
 static const FitOptions EXACT = { .tolerance = 1e-10, .most = 60, .sharpen = 1 };
 
@@ -324,7 +325,10 @@ small_grids_are_no_trouble(void **state)
 		s = (Surface){ .g = charts[k], .lambda = lambda, .H = H, .start_chart = LATTICE,
 		    .start_end = { 1, 1 }, .start = start };
 		memcpy(found, truth, sizeof truth);
+		s.detail = again;
+		again[0] = NAN;
 		assert_int_equal(surface(&s, &usual, found, &at), 1);
+		assert_true(isfinite(again[0]));
 	}
 }
 
@@ -370,7 +374,7 @@ weights_are_sharp_as_soon_as_the_metric_is_there(void **state)
 static void
 detail_foretold_is_detail_found(void **state)
 {
-	static double detail[3*MOST], again[3*MOST];
+	static double detail[3*MOST];
 	Surface s = given(torus, FINE);
 	size_t n = 3*(size_t)FINE.nu*FINE.nv;
 	FitProgress at;

@@ -85,7 +85,7 @@ distance_plot() {
 		set output '$out/distance.png'
 		set logscale xy
 		set format '%g'
-		set xlabel 'coefficients of {/Symbol l} and H kept, %'
+		set xlabel 'coefficients of log {/Symbol l} and {/Symbol l} H kept, %'
 		set ylabel 'mean distance to the original, % of sqrt(area)'
 		set key outside right
 		set grid
