@@ -43,11 +43,11 @@ CMD_USAGE
 "a field evenly across the border, exponentials periodically, with a jump there that takes\n"
 "many waves; the logarithm treats lambda alike where it is small and large, and leaves it\n"
 "positive; and what the filter takes from lambda H it takes alike where a cell of the\n"
-"rectangle holds much area and little.  So all three are the default.  face_neutral at 257 x 257\n"
-"nodes and K = 0.5: dft of lambda and H, dct of the two, dct of log lambda and H, of log\n"
-"lambda and lambda H give back 135, 111, 101, 76 % of the bending energy (the integral of H^2),\n"
-"and a surface 0.49, 0.35, 0.21, 0.13 % of the square root of the area from the original in the\n"
-"mean.\n"
+"rectangle holds much area and little.  So all three are the default.  face_neutral at\n"
+"257 x 257 nodes and K = 0.5: dft of lambda and H, dct of the two, dct of log lambda and H, of\n"
+"log lambda and lambda H give back 135, 111, 101, 76 % of the bending energy (the integral of\n"
+"H^2), and a surface 0.49, 0.35, 0.21, 0.13 % of the square root of the area from the original\n"
+"in the mean.\n"
 "Under -v: how many coefficients of either field were kept.\n";
 
 static const struct option longopt[] = {
