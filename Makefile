@@ -16,7 +16,7 @@ CMD = mesh2rect grid2lh lhfft lhinterp lh2grid grid2mesh lhinfo lhdiff mkmesh
 
 BUILD    := build$(if $(SANITIZE),/$(SANITIZE))
 export BUILD
-# Tests wait as the commands do, cmd/surroundings.c.
+# Tests wait as the commands do, cmd/shared/surroundings.c.
 export GOMP_SPINCOUNT := 3000
 
 ALL_CPPFLAGS := -D_XOPEN_SOURCE=700 -MMD -MP $(CPPFLAGS)
@@ -29,10 +29,10 @@ LDFLAGS      += -fsanitize=$(SANITIZE)
 LIBCFLAGS    :=                         # with which gcc warns of what is not there
 endif
 
-LIBOBJ   := $(patsubst %,$(BUILD)/%.o,$(basename $(wildcard format/*.c lib/*.c lib/*.cc)))
-SHARED   := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(CMD:%=cmd/%.c),$(wildcard cmd/*.c)))
+LIBOBJ   := $(patsubst %,$(BUILD)/%.o,$(basename $(wildcard format/*.c lib/*/*.c lib/*/*.cc)))
+SHARED   := $(patsubst %.c,$(BUILD)/%.o,$(wildcard cmd/*/*.c))
 # Work that is done before main, which nothing calls; of the rest a command takes what it needs.
-FIRST    := $(BUILD)/cmd/surroundings.o
+FIRST    := $(BUILD)/cmd/shared/surroundings.o
 BIN      := $(CMD:%=$(BUILD)/bin/%)
 TESTSRC  := $(filter-out tests/fault.c,$(wildcard tests/*.c))
 TESTBIN  := $(TESTSRC:%.c=$(BUILD)/%)
@@ -92,10 +92,10 @@ $(BUILD)/%.o: %.cc config.mk
 	$(CXX) $(ALL_CPPFLAGS) $(ALL_CXXFLAGS) -c -o $@ $<
 
 # A product and its sum are one instruction where the processor has it.
-$(BUILD)/lib/product.o: ALL_CFLAGS += -ffp-contract=fast
+$(BUILD)/lib/sparse/product.o: ALL_CFLAGS += -ffp-contract=fast
 
 # Several nodes at a time, whatever CFLAGS say.
-$(BUILD)/lib/misfit.o $(BUILD)/lib/misfitapply.o $(BUILD)/lib/sine.o $(BUILD)/lib/cosine.o: ALL_CFLAGS += -O3
+$(addprefix $(BUILD)/lib/,surface/misfit.o surface/misfitapply.o poisson/sine.o poisson/cosine.o): ALL_CFLAGS += -O3
 
 demo:
 	scripts/deps
@@ -105,6 +105,7 @@ demo:
 check:
 	scripts/deps --tests
 	$(MAKE) all tests
+	scripts/arrows $(BUILD)
 	for t in $(UNIT); do $$t || exit 1; done
 	for t in $(FUZZ); do $(BUILD)/tests/fuzz/$$t tests/fuzz/corpus/$$t tests/lhg/good tests/lhg/bad || exit 1; done
 	bats tests
@@ -116,8 +117,8 @@ soak: all tests
 
 # The targets under libFuzzer, with what they need of the library and no more.
 FUZZ_SECONDS = 60
-FUZZLIB := $(patsubst %.c,build/fuzz/%.o,$(wildcard format/*.c) $(addprefix lib/,gunzip.c mesh.c \
-           meshfile.c meshwrite.c obj.c off.c ply.c plyhead.c scan.c soup.c stl.c stlwrite.c uvread.c))
+FUZZLIB := $(patsubst %.c,build/fuzz/%.o,$(wildcard format/*.c) $(wildcard lib/meshfile/*.c) \
+           lib/mesh/fail.c lib/mesh/mesh.c)
 
 fuzz:
 	scripts/deps --fuzz

@@ -2,10 +2,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../lib/lambdah.h"
-#include "../lib/stats.h"
-#include "cmd.h"
-#include "range.h"
+#include "../lib/grid/lambdah.h"
+#include "../lib/base/stats.h"
+#include "shared/cmd.h"
+#include "shared/range.h"
 
 enum { BAND = 3 };      /* rings: what the frame method of lh2grid needs */
 

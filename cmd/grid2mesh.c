@@ -2,9 +2,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../lib/meshfile.h"
-#include "cmd.h"
-#include "gridfile.h"
+#include "../lib/meshfile/meshfile.h"
+#include "shared/cmd.h"
+#include "grid2mesh/gridfile.h"
 
 static const char text[] =
 "usage: grid2mesh [-o FILE] [--on=MESH] [GRID] >mesh.off\n"

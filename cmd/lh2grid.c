@@ -2,13 +2,13 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "../lib/frame.h"
-#include "claim.h"
-#include "cmd.h"
-#include "follow.h"
-#include "keyframes.h"
-#include "range.h"
-#include "surfacefit.h"
+#include "../lib/surface/frame.h"
+#include "shared/claim.h"
+#include "shared/cmd.h"
+#include "lh2grid/follow.h"
+#include "lh2grid/keyframes.h"
+#include "shared/range.h"
+#include "lh2grid/surfacefit.h"
 
 static const char text[] =
 "usage: lh2grid [OPTIONS] [LH] >grid.lhg\n"

@@ -1,9 +1,9 @@
 /* lhdiff - how far two surfaces are apart */
 #include <string.h>
 
-#include "cmd.h"
-#include "report.h"
-#include "surface.h"
+#include "shared/cmd.h"
+#include "lhdiff/report.h"
+#include "lhdiff/surface.h"
 
 static const char text[] =
 "usage: lhdiff [--json] [--hausdorff-error=E] [--no-hausdorff]\n"

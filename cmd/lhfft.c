@@ -2,9 +2,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cmd.h"
-#include "scales.h"
-#include "spectable.h"
+#include "shared/cmd.h"
+#include "lhfft/scales.h"
+#include "lhfft/spectable.h"
 
 enum { K_LAMBDA = 256, K_H, BENDING, NO_BENDING, SPECTABLE = CMD_UNRECORDED };
 

@@ -1,8 +1,8 @@
 /* lhinfo - what a stream of grids holds */
 #include <stdlib.h>
 
-#include "cmd.h"
-#include "describe.h"
+#include "shared/cmd.h"
+#include "lhinfo/describe.h"
 
 static const char text[] =
 "usage: lhinfo [--json] [FILE...]\n"

@@ -2,8 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cmd.h"
-#include "morph.h"
+#include "shared/cmd.h"
+#include "lhinterp/morph.h"
 
 static const char text[] =
 "usage: lhinterp -t T[,T..] | -n FRAMES [OPTIONS] A B >lh.lhg\n"

@@ -3,14 +3,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../lib/conformal.h"
-#include "../lib/disk.h"
-#include "claim.h"
-#include "cmd.h"
-#include "corneropt.h"
-#include "likeopt.h"
-#include "load.h"
-#include "uvopt.h"
+#include "../lib/map/conformal.h"
+#include "../lib/mesh/disk.h"
+#include "shared/claim.h"
+#include "shared/cmd.h"
+#include "mesh2rect/corneropt.h"
+#include "mesh2rect/likeopt.h"
+#include "shared/load.h"
+#include "mesh2rect/uvopt.h"
 
 static const char text[] =
 "usage: mesh2rect [OPTIONS] [MESH] >grid.lhg\n"

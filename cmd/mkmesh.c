@@ -1,9 +1,9 @@
 /* mkmesh - triangle meshes of surfaces given by a formula */
 #include <stdlib.h>
 
-#include "../lib/meshfile.h"
-#include "cmd.h"
-#include "kinds.h"
+#include "../lib/meshfile/meshfile.h"
+#include "shared/cmd.h"
+#include "mkmesh/kinds.h"
 
 static const char head[] =
 "usage: mkmesh [-n VERTICES] [--seed=S] [-o FILE] KIND [NAME=VALUE ...] >mesh.off\n"

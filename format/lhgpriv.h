@@ -32,7 +32,7 @@ uint32_t lhg_lastcrc(const LhgStream *s);
 /* g has passed, its last CRC is crc. */
 void lhg_passed(LhgStream *s, const Lhg *g, uint32_t crc);
 
-/* ---- lhgrule.c ---- */
+/* ---- lhgspell.c ---- */
 
 /* The n bytes at p are 1 .. size-1 letters, digits and . _ + - or of those in extra. */
 int lhg_goodname(const char *p, size_t n, size_t size, const char *extra);
@@ -49,6 +49,8 @@ int lhg_goodtext(const char *p, size_t n);
 enum { LHG_HEIGHTLEN = 40 };
 void   lhg_putheight(char text[LHG_HEIGHTLEN], double T);
 double lhg_getheight(const char *p, size_t n);
+
+/* ---- lhgrule.c ---- */
 
 /* All of g but its samples is within the limits of LHG.md.  Returns 0 or LHG_ELIMIT. */
 int lhg_check(LhgStream *s, const Lhg *g);

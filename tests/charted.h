@@ -5,11 +5,11 @@
 
 #include <math.h>
 
-#include "../lib/clough.h"
-#include "../lib/delaunay.h"
-#include "../lib/rng.h"
-#include "../lib/synth.h"
-#include "../lib/vec3.h"
+#include "../lib/sample/clough.h"
+#include "../lib/synth/delaunay.h"
+#include "../lib/synth/rng.h"
+#include "../lib/synth/synth.h"
+#include "../lib/base/vec3.h"
 
 typedef struct Charted {
 	Mesh           m;

@@ -14,11 +14,11 @@
 
 #include <suitesparse/cholmod.h>
 
-#include "../lib/corners.h"
-#include "../lib/disk.h"
-#include "../lib/meshfile.h"
-#include "../lib/rectmap.h"
-#include "../lib/vec3.h"
+#include "../lib/map/corners.h"
+#include "../lib/mesh/disk.h"
+#include "../lib/meshfile/meshfile.h"
+#include "../lib/map/rectmap.h"
+#include "../lib/base/vec3.h"
 
 static void
 quit(const char *why)

@@ -10,7 +10,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "../lib/chart.h"
+#include "../lib/base/chart.h"
 
 typedef struct Node {
 	double x[3], lambda, H;

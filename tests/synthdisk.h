@@ -2,8 +2,8 @@
 #ifndef SYNTHDISK_H
 #define SYNTHDISK_H
 
-#include "../lib/disk.h"
-#include "../lib/synth.h"
+#include "../lib/mesh/disk.h"
+#include "../lib/synth/synth.h"
 
 /* The disk of a kind with its default parameters and n vertices or so; *xy the parameters
  * of its vertices, if not NULL.  Vertices 0 1 2 3 are its corners. */

@@ -3,11 +3,11 @@
 
 #include <math.h>
 
-#include "../lib/adapt.h"
-#include "../lib/rectmap.h"
-#include "../lib/refine.h"
-#include "../lib/untangle.h"
-#include "../lib/vec3.h"
+#include "../lib/map/adapt.h"
+#include "../lib/map/rectmap.h"
+#include "../lib/mesh/refine.h"
+#include "../lib/map/untangle.h"
+#include "../lib/base/vec3.h"
 #include "surfaces.h"
 #include "synthdisk.h"
 

@@ -3,9 +3,9 @@
 
 #include <math.h>
 
-#include "../lib/border.h"
-#include "../lib/rng.h"
-#include "../lib/vec3.h"
+#include "../lib/grid/border.h"
+#include "../lib/synth/rng.h"
+#include "../lib/base/vec3.h"
 
 #define assert_near(x, want, error) assert_true(fabs((x) - (want)) <= (error))
 

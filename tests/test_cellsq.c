@@ -1,8 +1,8 @@
 /* test_cellsq.c - least squares over cells: adjoint, optimum, order of elimination. */
 #include "cmock.h"
 
-#include "../lib/cellsq.h"
-#include "../lib/dissect.h"
+#include "../lib/surface/cellsq.h"
+#include "../lib/sparse/dissect.h"
 #include "surfaces.h"
 
 static const Chart CHART = { 13, 9, 0.6 };

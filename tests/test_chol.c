@@ -5,7 +5,7 @@
 #include <math.h>
 #include <omp.h>
 
-#include "../lib/chol.h"
+#include "../lib/sparse/chol.h"
 #include "surfaces.h"
 
 /* A matrix on a graph of its own, with an order of elimination. */

@@ -1,4 +1,4 @@
-/* test_clough.c - lib/clough.h against cubics, for continuity, order and limits. */
+/* test_clough.c - clough.h against cubics, for continuity, order and limits. */
 #include "cmock.h"
 
 #include "charted.h"

@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-#include "../lib/conformal.h"
-#include "../lib/lambdah.h"
+#include "../lib/map/conformal.h"
+#include "../lib/grid/lambdah.h"
 #include "synthdisk.h"
 
 /* The root mean square of H over the inner nodes of the grid of a catenoid, on which it

@@ -1,12 +1,12 @@
-/* test_corners.c - lib/corners.h on surfaces whose corners are known, on ragged
+/* test_corners.c - corners.h on surfaces whose corners are known, on ragged
  * boundaries, on what has no corners; points, and the turned disk. */
 #include "cmock.h"
 
 #include <math.h>
 #include <stdio.h>
 
-#include "../lib/corners.h"
-#include "../lib/rng.h"
+#include "../lib/map/corners.h"
+#include "../lib/synth/rng.h"
 #include "synthdisk.h"
 
 static void

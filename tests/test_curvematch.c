@@ -4,9 +4,9 @@
 
 #include <math.h>
 
-#include "../lib/curvematch.h"
-#include "../lib/procrustes.h"
-#include "../lib/rng.h"
+#include "../lib/morph/curvematch.h"
+#include "../lib/base/procrustes.h"
+#include "../lib/synth/rng.h"
 
 #define assert_near(x, want, error) assert_true(fabs((x) - (want)) <= (error))
 

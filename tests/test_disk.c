@@ -1,4 +1,4 @@
-/* test_disk.c - lib/disk.h: what becomes a disk, what is repaired, and the true reason
+/* test_disk.c - disk.h: what becomes a disk, what is repaired, and the true reason
  * for what is refused; on literal soups and on the real meshes. */
 #include <math.h>
 #include <setjmp.h>
@@ -10,8 +10,8 @@
 #include <string.h>
 #include <cmocka.h>
 
-#include "../lib/disk.h"
-#include "../lib/meshfile.h"
+#include "../lib/mesh/disk.h"
+#include "../lib/meshfile/meshfile.h"
 
 /* What a disk is, asked without the code under test: every half-edge once, at most two
  * faces to an edge and those opposed, V - E + F = 1, the loop all half-edges without an

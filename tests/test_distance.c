@@ -1,4 +1,4 @@
-/* test_distance.c - lib/distance.h and lib/gridmesh.h on surfaces whose distance is known. */
+/* test_distance.c - distance.h and gridmesh.h on surfaces whose distance is known. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -7,10 +7,10 @@
 #include <stdlib.h>
 #include <cmocka.h>
 
-#include "../lib/distance.h"
-#include "../lib/gridmesh.h"
-#include "../lib/synth.h"
-#include "../lib/vec3.h"
+#include "../lib/mesh/distance.h"
+#include "../lib/grid/gridmesh.h"
+#include "../lib/synth/synth.h"
+#include "../lib/base/vec3.h"
 
 static Mesh
 make(const char *kind, const char *par, double value, int n, uint64_t seed)

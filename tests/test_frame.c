@@ -1,8 +1,8 @@
 /* test_frame.c - the frame method returns the surface whose lambda and H it was given. */
 #include "cmock.h"
 
-#include "../lib/frame.h"
-#include "../lib/lambdah.h"
+#include "../lib/surface/frame.h"
+#include "../lib/grid/lambdah.h"
 #include "surfaces.h"
 
 static const Chart COARSE = { 33, 25, 0.8 }, FINE = { 65, 49, 0.8 };

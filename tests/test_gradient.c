@@ -1,4 +1,4 @@
-/* test_gradient.c - lib/gradient.h against polynomials, limits and its promises. */
+/* test_gradient.c - gradient.h against polynomials, limits and its promises. */
 #include "cmock.h"
 
 #ifdef _OPENMP

@@ -1,4 +1,4 @@
-/* test_gridpoint.c - lib/gridpoint.h: what polynomials, smooth surfaces and rough data
+/* test_gridpoint.c - gridpoint.h: what polynomials, smooth surfaces and rough data
  * must give between the nodes, and which (u,v) are refused. */
 #include "cmock.h"
 
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../lib/gridpoint.h"
+#include "../lib/grid/gridpoint.h"
 
 typedef double Function(double u, double v, int c);
 

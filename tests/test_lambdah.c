@@ -1,7 +1,7 @@
-/* test_lambdah.c - lib/lambdah.h against surfaces whose lambda and H are known. */
+/* test_lambdah.c - lambdah.h against surfaces whose lambda and H are known. */
 #include "cmock.h"
 
-#include "../lib/lambdah.h"
+#include "../lib/grid/lambdah.h"
 #include "surfaces.h"
 
 static const Chart COARSE = { 49, 33, 0.7 }, FINE = { 97, 65, 0.7 };

@@ -3,9 +3,9 @@
 
 #include <math.h>
 
-#include "../lib/coons.h"
-#include "../lib/matching.h"
-#include "../lib/rng.h"
+#include "../lib/grid/coons.h"
+#include "../lib/morph/matching.h"
+#include "../lib/synth/rng.h"
 
 #define assert_near(x, want, error) assert_true(fabs((x) - (want)) <= (error))
 

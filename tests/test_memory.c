@@ -9,16 +9,16 @@
 #include <errno.h>
 
 #include "../format/lhg.h"
-#include "../lib/conformal.h"
-#include "../lib/corners.h"
-#include "../lib/disk.h"
-#include "../lib/distance.h"
-#include "../lib/filter.h"
-#include "../lib/frame.h"
-#include "../lib/gridmesh.h"
-#include "../lib/meshfile.h"
-#include "../lib/surface.h"
-#include "../lib/synth.h"
+#include "../lib/map/conformal.h"
+#include "../lib/map/corners.h"
+#include "../lib/mesh/disk.h"
+#include "../lib/mesh/distance.h"
+#include "../lib/scales/filter.h"
+#include "../lib/surface/frame.h"
+#include "../lib/grid/gridmesh.h"
+#include "../lib/meshfile/meshfile.h"
+#include "../lib/surface/surface.h"
+#include "../lib/synth/synth.h"
 #include "fault.h"
 
 enum { SHARE = 40 };

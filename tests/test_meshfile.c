@@ -1,4 +1,4 @@
-/* test_meshfile.c - lib/meshfile.h: every format's rules, its refusals and their words;
+/* test_meshfile.c - meshfile.h: every format's rules, its refusals and their words;
  * cut, changed and hostile files; what is written is what is read. */
 #include <math.h>
 #include <setjmp.h>
@@ -12,7 +12,7 @@
 #include <zlib.h>
 #include <cmocka.h>
 
-#include "../lib/meshfile.h"
+#include "../lib/meshfile/meshfile.h"
 
 /* Parse a copy of exactly n bytes, so that a sanitizer sees any step beyond them. */
 static int

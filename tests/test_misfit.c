@@ -3,9 +3,9 @@
 
 #include <omp.h>
 
-#include "../lib/field.h"
-#include "../lib/lambdah.h"
-#include "../lib/misfit.h"
+#include "../lib/base/field.h"
+#include "../lib/grid/lambdah.h"
+#include "../lib/surface/misfit.h"
 #include "surfaces.h"
 
 static const Chart CHART = { 34, 45, 0.8 };

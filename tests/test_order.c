@@ -5,8 +5,8 @@
 #include <omp.h>
 #include <suitesparse/cholmod.h>
 
-#include "../lib/cotangent.h"
-#include "../lib/vertexcut.h"
+#include "../lib/map/cotangent.h"
+#include "../lib/sparse/vertexcut.h"
 #include "synthdisk.h"
 
 static void

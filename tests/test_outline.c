@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "../lib/outline.h"
+#include "../lib/morph/outline.h"
 
 #define assert_near(x, want, error) assert_true(fabs((x) - (want)) <= (error))
 

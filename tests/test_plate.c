@@ -4,8 +4,8 @@
 
 #include <omp.h>
 
-#include "../lib/field.h"
-#include "../lib/plate.h"
+#include "../lib/base/field.h"
+#include "../lib/poisson/plate.h"
 #include "surfaces.h"
 
 static void

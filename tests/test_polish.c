@@ -3,11 +3,11 @@
 
 #include <math.h>
 
-#include "../lib/gridlaplace.h"
-#include "../lib/lambdah.h"
-#include "../lib/planelaplace.h"
-#include "../lib/polish.h"
-#include "../lib/stats.h"
+#include "../lib/map/gridlaplace.h"
+#include "../lib/grid/lambdah.h"
+#include "../lib/poisson/planelaplace.h"
+#include "../lib/map/polish.h"
+#include "../lib/base/stats.h"
 #include "surfaces.h"
 #include "synthdisk.h"
 

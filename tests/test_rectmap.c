@@ -4,11 +4,11 @@
 
 #include <omp.h>
 
-#include "../lib/corners.h"
-#include "../lib/lambdah.h"
-#include "../lib/rectmap.h"
-#include "../lib/refine.h"
-#include "../lib/sampler.h"
+#include "../lib/map/corners.h"
+#include "../lib/grid/lambdah.h"
+#include "../lib/map/rectmap.h"
+#include "../lib/mesh/refine.h"
+#include "../lib/sample/sampler.h"
 #include "surfaces.h"
 #include "synthdisk.h"
 

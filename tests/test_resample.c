@@ -1,7 +1,7 @@
 /* test_resample.c - cubics stay cubics, means keep what is straight. */
 #include "cmock.h"
 
-#include "../lib/resample.h"
+#include "../lib/grid/resample.h"
 #include "surfaces.h"
 
 static const double WHOLE[2] = { 1, 1 };

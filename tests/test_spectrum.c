@@ -1,8 +1,8 @@
 /* test_spectrum.c - Fourier coefficients and what dropping them does. */
 #include "cmock.h"
 
-#include "../lib/blend.h"
-#include "../lib/filter.h"
+#include "../lib/morph/blend.h"
+#include "../lib/scales/filter.h"
 #include "surfaces.h"
 
 enum { NU = 30, NV = 21, N = NU*NV };

@@ -3,9 +3,9 @@
 
 #include <omp.h>
 
-#include "../lib/lambdah.h"
-#include "../lib/procrustes.h"
-#include "../lib/surface.h"
+#include "../lib/grid/lambdah.h"
+#include "../lib/base/procrustes.h"
+#include "../lib/surface/surface.h"
 #include "surfaces.h"
 
 static const Chart ROUGH = { 25, 24, 0.8 }, MIDDLE = { 49, 47, 0.8 }, COARSE = { 70, 67, 0.8 }, FINE = { 139, 133, 0.8 }, LATTICE = { 12, 10, 0.8 };

@@ -1,4 +1,4 @@
-/* test_synth.c - lib/synth.h: the formulas against differences of phi, the meshes
+/* test_synth.c - synth.h: the formulas against differences of phi, the meshes
  * against what a triangulated disk must be. */
 #include <math.h>
 #include <setjmp.h>
@@ -9,9 +9,9 @@
 #include <string.h>
 #include <cmocka.h>
 
-#include "../lib/rng.h"
-#include "../lib/synth.h"
-#include "../lib/vec3.h"
+#include "../lib/synth/rng.h"
+#include "../lib/synth/synth.h"
+#include "../lib/base/vec3.h"
 
 /* phi_x, phi_y and Delta phi by central differences of fourth order. */
 typedef struct Diffs {

@@ -4,8 +4,8 @@
 #include <string.h>
 #include <zlib.h>
 
-#include "../../lib/meshfile.h"
-#include "../../lib/meshpriv.h"
+#include "../../lib/meshfile/meshfile.h"
+#include "../../lib/meshfile/meshpriv.h"
 #include "fuzz.h"
 
 uLong

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../../lib/meshfile.h"
+#include "../../lib/meshfile/meshfile.h"
 #include "fuzz.h"
 
 typedef int Parse(Soup *s, const void *bytes, size_t n);

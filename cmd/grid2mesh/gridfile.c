@@ -1,0 +1,74 @@
+/* gridfile.c - a grid as the bytes of a mesh file, for grid2mesh. */
+#include <stdlib.h>
+
+#include "../../lib/grid/gridmesh.h"
+#include "../../lib/grid/gridpoint.h"
+#include "../../lib/meshfile/meshfile.h"
+#include "gridfile.h"
+
+void
+gridfile_on(const char *path, Soup *s)
+{
+	int p, none = 0;
+	size_t n;
+	char *bytes = cmd_slurp(path, &n);
+
+	if (meshfile_parse_uv(s, bytes, n))
+		die("%s: %s", cmd_name_of(path), s->err);
+	free(bytes);
+	for (p = 0; p < s->nv; p++)
+		none += s->uv[2*(size_t)p] == -1 && s->uv[2*(size_t)p+1] == -1;
+	if (none)
+		note("%s: %d %s without (u,v) %s in place", cmd_name_of(path), none,
+		    none == 1 ? "vertex" : "vertices", none == 1 ? "stays" : "stay");
+}
+
+static void
+own(const CmdInput *in, const Lhg *g, const double *const phi[3], int kind, char **bytes, size_t *n)
+{
+	Mesh m;
+	int e = mesh_from_grid(&m, g->nu, g->nv, phi[0], phi[1], phi[2]);
+
+	if (!e)
+		e = meshfile_format(&m, kind, bytes, n);
+	if (e == MESH_EVALUE)
+		die("%s: a coordinate is too large for STL", in->name);
+	if (e)
+		die("%s: no memory for a mesh of %d x %d vertices", in->name, g->nu, g->nv);
+	mesh_free(&m);
+}
+
+static void
+moved(const Lhg *g, const double *const phi[3], const Soup *on, const char *name, int kind,
+	char **bytes, size_t *n)
+{
+	const Chart chart = { g->nu, g->nv, g->T };
+	Soup s = *on;
+	int at;
+
+	s.T = g->T;
+	s.xyz = cmd_alloc((size_t)on->nv, 3*sizeof *s.xyz);
+	s.uv = cmd_alloc((size_t)on->nv, 2*sizeof *s.uv);
+	if (gridpoint_move(chart, phi, on, s.xyz, s.uv, &at))
+		die("%s: vertex %d has (u,v) = (%g,%g), outside [0,1] x [0,%g]", name, at,
+		    on->uv[2*(size_t)at], on->uv[2*(size_t)at+1], on->T > 0 ? on->T : g->T);
+	if (meshfile_format_soup(&s, kind, bytes, n))
+		die("%s: no memory for a mesh of %d vertices", name, s.nv);
+	free(s.xyz);
+	free(s.uv);
+}
+
+void
+gridfile_format(const CmdInput *in, const Lhg *g, const Soup *on, const char *onname, int kind,
+	char **bytes, size_t *n)
+{
+	const double *phi[3];
+
+	phi[0] = cmd_need(in, g, "x", LHG_GRID);
+	phi[1] = cmd_need(in, g, "y", LHG_GRID);
+	phi[2] = cmd_need(in, g, "z", LHG_GRID);
+	if (on)
+		moved(g, phi, on, onname, kind, bytes, n);
+	else
+		own(in, g, phi, kind, bytes, n);
+}

@@ -1,0 +1,85 @@
+/* keyframes.c - frames between two others begin with what those two found. */
+#include <stdlib.h>
+
+#include "../shared/claim.h"
+#include "keyframes.h"
+
+/* A frame that was solved by itself: what it found; NULL before the first. */
+typedef struct Key {
+	int     nu, nv;
+	double *detail;         /* [3][nv][nu] */
+} Key;
+
+static size_t
+numbers(const Lhg *g)
+{
+	return 3*(size_t)g->nu*g->nv;
+}
+
+static int
+fits(const Key *k, const Lhg *g)
+{
+	return k->detail && k->nu == g->nu && k->nv == g->nv;
+}
+
+static Key
+convert_key(const CmdInput *in, Lhg *g, int every, SurfaceFit o, KeyframesConvert *convert)
+{
+	Key k = { g->nu, g->nv, NULL };
+
+	claim(in->name, "the way from key to key", (double)g->nu*g->nv, 8*(40 + 2.0*every));
+	o.detail = k.detail = cmd_alloc(numbers(g), sizeof *k.detail);
+	convert(in, g, &o);
+	return k;
+}
+
+/* A grid that lies the part t of the way from key a to key b. */
+static void
+convert_between(const CmdInput *in, Lhg *g, const Key *a, const Key *b, double t, SurfaceFit o,
+	KeyframesConvert *convert)
+{
+	size_t n = numbers(g), p;
+
+	if (fits(a, g) && fits(b, g)) {
+		o.forecast = cmd_alloc(n, sizeof *o.forecast);
+		for (p = 0; p < n; p++)
+			o.forecast[p] = (1 - t)*a->detail[p] + t*b->detail[p];
+	}
+	convert(in, g, &o);
+	free(o.forecast);
+}
+
+/* Reads so many grids, fewer at the end of the stream. */
+static int
+take(CmdInput *in, Lhg *g, int room)
+{
+	int n;
+
+	for (n = 0; n < room && cmd_read(in, &g[n]); n++)
+		;
+	return n;
+}
+
+void
+keyframes(CmdInput *in, int every, const SurfaceFit *o, KeyframesConvert *convert)
+{
+	Lhg *g = cmd_alloc(every, sizeof *g);
+	Key last = { 0 }, next;
+	int i, n, room = 1;             /* the first of all frames is a key, and so is the last */
+
+	for (; (n = take(in, g, room)) > 0; room = every) {
+		next = convert_key(in, &g[n-1], every, *o, convert);
+		for (i = 0; i < n; i++) {
+			if (i < n - 1)
+				convert_between(in, &g[i], &last, &next, (i + 1.0)/n, *o, convert);
+			cmd_write(&g[i]);
+			lhg_free(&g[i]);
+		}
+		free(last.detail);
+		last = next;
+		if (n < room)
+			break;          /* the stream has ended and is closed */
+	}
+	free(last.detail);
+	free(g);
+}

@@ -1,0 +1,134 @@
+/* surfacefit.c - lh2grid's surface method. */
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "../../lib/surface/frame.h"
+#include "../../lib/surface/surface.h"
+#include "../shared/range.h"
+#include "surfacefit.h"
+
+/* A surface that fits exactly is worth more steps: they gain digits fast. */
+static const double EXACT = 1e-4;
+
+static const char *const START[3] = { "start.x", "start.y", "start.z" };
+static const char *const RESIDUE[4] = { "nu1", "nu2", "tau1", "tau2" };
+
+static int
+has_start(const Lhg *g, const SurfaceFit *o)
+{
+	return !o->no_start && lhg_find(g, START[0]);
+}
+
+static int
+has_band(const Lhg *g)
+{
+	return lhg_find(g, "band.x") || lhg_find(g, "band.y") || lhg_find(g, "band.z");
+}
+
+int
+surfacefit_rings(const Lhg *g, const SurfaceFit *o)
+{
+	if (!has_start(g, o))
+		return FRAME_BAND;
+	return o->free && !has_band(g) ? 0 : 1;
+}
+
+/* The lattice as three fields, and its place in the rectangle. */
+static double *
+read_start(const CmdInput *in, const Lhg *g, Surface *s)
+{
+	size_t n;
+	double *start;
+	int c, step;
+
+	for (c = 0; c < 3; c++) {
+		cmd_need(in, g, START[c], LHG_LATTICE);
+		range_width(in, g, START[c]);
+	}
+	n = lhg_find(g, START[0])->n;
+	step = lhg_find(g, START[0])->step;
+	start = cmd_alloc(3*n, sizeof *start);
+	for (c = 0; c < 3; c++) {
+		if (lhg_find(g, START[c])->step != step)
+			die("%s: %s and %s are lattices of different steps", in->name, START[0], START[c]);
+		memcpy(start + c*n, lhg_find(g, START[c])->f, n*sizeof *start);
+	}
+	s->start_chart = (Chart){ (g->nu - 1)/step + 1, (g->nv - 1)/step + 1, g->T };
+	s->start_end[0] = (double)((g->nu - 1)/step*step)/(g->nu - 1);
+	s->start_end[1] = (double)((g->nv - 1)/step*step)/(g->nv - 1);
+	if (s->start_chart.nu < 2 || s->start_chart.nv < 2)
+		die("%s: the start has %d x %d nodes, need at least 2 x 2", in->name, s->start_chart.nu, s->start_chart.nv);
+	s->start = start;
+	return start;
+}
+
+static int
+read_residue(const CmdInput *in, const Lhg *g, const SurfaceFit *o, Residue *r)
+{
+	int i, count = 0;
+
+	for (i = 0; i < 4; i++)
+		count += lhg_find(g, RESIDUE[i]) != NULL;
+	if (!count || o->ideal)
+		return 0;
+	for (i = 0; i < 2; i++) {
+		r->nu[i] = cmd_need(in, g, RESIDUE[i], LHG_GRID);
+		r->tau[i] = cmd_need(in, g, RESIDUE[2+i], LHG_GRID);
+		range_channel(in, g, RESIDUE[i]);
+		range_channel(in, g, RESIDUE[2+i]);
+	}
+	return 1;
+}
+
+static void
+report(void *ctx, const FitProgress *at)
+{
+	const CmdInput *in = ctx;
+
+	cmd_progress("%d x %d nodes, step %d: energy %.4g, change %.1e", at->nu, at->nv, at->step,
+	    at->energy, at->change);
+	detail("%s: %d x %d nodes, step %d: energy %.6g, change %.2e, %ld solves", in->name,
+	    at->nu, at->nv, at->step, at->energy, at->change, at->solves);
+}
+
+static double
+seconds(void)
+{
+	struct timespec t;
+
+	clock_gettime(CLOCK_MONOTONIC, &t);
+	return t.tv_sec + 1e-9*t.tv_nsec;
+}
+
+void
+surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi)
+{
+	Surface s = { .g = { g->nu, g->nv, g->T }, .lambda = lhg_find(g, "lambda")->f, .H = lhg_find(g, "H")->f };
+	FitOptions how = { o->tolerance, o->steps, 1, report, (void *)in };
+	double *start = has_start(g, o) ? read_start(in, g, &s) : NULL, began = seconds();
+	FitProgress at;
+	Residue residue;
+
+	s.forecast = o->forecast;
+	s.detail = o->detail;
+	s.free = o->free;
+	s.adrift = o->free && !surfacefit_rings(g, o);
+	if (s.free && (g->nu < 3 || g->nv < 3))
+		die("%s: %d x %d nodes, a free boundary needs at least 3 x 3", in->name, g->nu, g->nv);
+	if (read_residue(in, g, o, &residue)) {
+		s.residue = &residue;
+		how.tolerance *= EXACT;
+	}
+	switch (surface(&s, &how, phi, &at)) {
+	case 1: break;
+	case 0: die("%s: no convergence in %d steps: energy %.4g, change %.2g, the largest residual at node (%d,%d)",
+	    in->name, at.step, at.energy, at.change, (int)(at.worst%g->nu), (int)(at.worst/g->nu));
+	case SURFACE_ESTART: die("%s: no start, and the frame method finds none from the band", in->name);
+	case SURFACE_EPLACE: die("%s: the %s is too large to place the surface by it", in->name, s.adrift ? "start" : "band");
+	default: die("%s: no memory for the surface of %d x %d nodes", in->name, g->nu, g->nv);
+	}
+	detail("%s: %.1f vector Poisson solves of %d x %d nodes, %.2f s", in->name, at.cost, g->nu, g->nv,
+	    seconds() - began);
+	free(start);
+}

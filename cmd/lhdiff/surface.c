@@ -1,0 +1,77 @@
+/* surface.c - surfaces from streams of grids or from a mesh file, whichever it is. */
+#include <stdlib.h>
+
+#include "../../lib/mesh/disk.h"
+#include "../../lib/grid/gridmesh.h"
+#include "../../lib/meshfile/meshfile.h"
+#include "../shared/range.h"
+#include "surface.h"
+
+void
+surfaces_open(Surfaces *s, const char *path)
+{
+	*s = (Surfaces){ .bytes = NULL };
+	s->grids = cmd_open_or_slurp(&s->in, path, &s->bytes, &s->n);
+}
+
+static int
+from_grid(CmdInput *in, Mesh *m)
+{
+	const double *x, *y, *z;
+	Lhg g;
+
+	if (!cmd_read(in, &g))
+		return 0;
+	x = cmd_need(in, &g, "x", LHG_GRID);
+	y = cmd_need(in, &g, "y", LHG_GRID);
+	z = cmd_need(in, &g, "z", LHG_GRID);
+	if (mesh_from_grid(m, g.nu, g.nv, x, y, z))
+		die("%s: no memory for a mesh of %d x %d vertices", in->name, g.nu, g.nv);
+	range_positions(in->name, (size_t)m->nv, 3, (const double *[]){ m->xyz, m->xyz + 1, m->xyz + 2 });
+	lhg_free(&g);
+	return 1;
+}
+
+static int
+from_mesh(Surfaces *s, Mesh *m)
+{
+	Soup soup;
+	Disk d;
+
+	if (!s->bytes)
+		return 0;
+	if (meshfile_parse(&soup, s->bytes, s->n))
+		die("%s: %s", s->in.name, soup.err);
+	range_positions(s->in.name, (size_t)soup.nv, 3,
+	    (const double *[]){ soup.xyz, soup.xyz + 1, soup.xyz + 2 });
+	if (disk_from_soup(&d, &soup))
+		die("%s: %s", s->in.name, d.err);
+	if (d.note[0])
+		note("%s: %s", s->in.name, d.note);
+	soup_free(&soup);
+	*m = d.m;
+	d.m = (Mesh){ 0, 0, NULL, NULL };       /* m's from now on */
+	disk_free(&d);
+	free(s->bytes);
+	s->bytes = NULL;
+	return 1;
+}
+
+int
+surfaces_next(Surfaces *s, Mesh *m)
+{
+	if (!(s->grids ? from_grid(&s->in, m) : from_mesh(s, m)))
+		return 0;
+	s->count++;
+	if (s->count > 1 || surfaces_more(s))
+		snprintf(s->place, sizeof s->place, "%.250s: grid %ld", s->in.name, s->count);
+	else
+		snprintf(s->place, sizeof s->place, "%.250s", s->in.name);
+	return 1;
+}
+
+int
+surfaces_more(const Surfaces *s)
+{
+	return s->grids && (s->in.s.frame < s->in.s.frames || s->in.s.ahead);
+}

@@ -1,0 +1,149 @@
+/* scales.c - the options of lhfft that say what to keep, and what they do to a grid. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "../shared/claim.h"
+#include "../shared/cmd.h"
+#include "../shared/range.h"
+#include "scales.h"
+
+static const char ways[] = "say one of -K X, --raw -K X, --keep=N, --energy=SHARE, --low-pass=R";
+
+void
+scales_init(Scales *s)
+{
+	*s = (Scales){ .lambda = -1, .H = -1, .log = 1, .bending = 1 };
+}
+
+static double
+number(FilterRule rule, const char *option, const char *word)
+{
+	switch (rule) {
+	case FILTER_KEEP:   return opt_long(word, 1, 2147483647, option);
+	case FILTER_ENERGY: return opt_double(word, 0, 1, option);
+	default:            return opt_double(word, 0, 1e300, option);
+	}
+}
+
+void
+scales_set(Scales *s, FilterRule rule, const char *option, const char *list)
+{
+	char *copy = cmd_alloc(strlen(list) + 1, 1), *word = copy, *comma;
+
+	if (s->option && strcmp(s->option, option) != 0)
+		misuse("%s", ways);
+	s->option = option;
+	s->rule = rule;
+	strcpy(copy, list);
+	for (s->n = 0; word; word = comma) {
+		if ((comma = strchr(word, ',')))
+			*comma++ = '\0';
+		if (s->n == SCALES_MAX)
+			misuse("--%s: more than %d scales", option, SCALES_MAX);
+		s->bound[s->n++] = number(rule, option, word);
+	}
+	free(copy);
+}
+
+void
+scales_check(Scales *s)
+{
+	int apart = s->lambda >= 0 || s->H >= 0;
+
+	if ((!s->option && !apart) || ((apart || s->raw) && s->rule != FILTER_PERCENT))
+		misuse("%s", ways);
+	if (!s->option)
+		s->n = 1;               /* bound 0: the field without its own stays as it is */
+	if (s->raw)
+		s->rule = FILTER_RAW;
+}
+
+static double
+least(size_t n, const double *f)
+{
+	double min = f[0];
+	size_t p;
+
+	for (p = 1; p < n; p++)
+		min = f[p] < min ? f[p] : min;
+	return min;
+}
+
+/* lambda is a length: it must not come out of the filter negative. */
+static void
+clamp(const CmdInput *in, const Lhg *g, double floor)
+{
+	double *lambda = cmd_need(in, g, "lambda", LHG_GRID);
+	size_t p, count = 0, n = (size_t)g->nu*g->nv;
+
+	for (p = 0; p < n; p++)
+		if (lambda[p] < floor) {
+			lambda[p] = floor;
+			count++;
+		}
+	if (count)
+		note("%s: lambda raised to %g, its least before, at %zu of %zu nodes", in->name, floor, count, n);
+}
+
+/* Returns whether f has changed. */
+static int
+filter(const CmdInput *in, const Lhg *g, const char *name, double *f, SpectrumBasis basis, Filter by)
+{
+	size_t kept, n = (size_t)g->nu*g->nv;
+	int changed = filter_field((Spectrum){ basis, { g->nu, g->nv, g->T } }, &by, f, &kept);
+
+	if (changed < 0)
+		die("%s: no memory for the transform of %zu nodes", in->name, n);
+	detail("%s: %zu of %zu coefficients of %s kept", in->name, kept, n, name);
+	return changed;
+}
+
+double
+scales_need(const CmdInput *in, const Lhg *g)
+{
+	double floor = least((size_t)g->nu*g->nv, cmd_need(in, g, "lambda", LHG_GRID));
+
+	cmd_need(in, g, "H", LHG_GRID);
+	if (!(floor > 0))
+		die("%s: lambda is not positive everywhere", in->name);
+	claim(in->name, "the transform", (double)g->nu*g->nv, 8*10);
+	range_channel(in, g, "lambda");
+	range_channel(in, g, "H");
+	return floor;
+}
+
+const char *
+scales_name(const Scales *s)
+{
+	return s->bending ? "lambda H" : "H";
+}
+
+double *
+scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g)
+{
+	const double *lambda = cmd_need(in, g, "lambda", LHG_GRID), *H = cmd_need(in, g, "H", LHG_GRID);
+	size_t n = (size_t)g->nu*g->nv, p;
+	double *f = cmd_alloc(n, sizeof *f);
+
+	for (p = 0; p < n; p++)
+		f[p] = s->bending ? lambda[p]*H[p] : H[p];
+	range_field(in, g, scales_name(s), f);
+	return f;
+}
+
+/* A field of which nothing is dropped stays as it is, to the last bit. */
+void
+scales_apply(const Scales *s, int k, const CmdInput *in, Lhg *g)
+{
+	size_t n = (size_t)g->nu*g->nv, p;
+	double floor = scales_need(in, g), K = s->bound[k], *lambda = lhg_find(g, "lambda")->f;
+	double *H = lhg_find(g, "H")->f, *f = scales_curvature(s, in, g);
+
+	filter(in, g, "lambda", lambda, s->basis, (Filter){ s->rule, s->lambda >= 0 ? s->lambda : K, s->log });
+	if (!s->log)
+		clamp(in, g, floor);
+	if (filter(in, g, scales_name(s), f, s->basis, (Filter){ s->rule, s->H >= 0 ? s->H : K, 0 }))
+		for (p = 0; p < n; p++)
+			H[p] = s->bending ? f[p]/lambda[p] : f[p];
+	free(f);
+}

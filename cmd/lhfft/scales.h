@@ -1,0 +1,39 @@
+/* scales.h - what lhfft is told to keep, at one scale or at several. */
+#ifndef CMD_SCALES_H
+#define CMD_SCALES_H
+
+#include "../../lib/scales/filter.h"
+#include "../shared/cmd.h"
+
+enum { SCALES_MAX = 256 };
+
+typedef struct Scales {
+	SpectrumBasis basis;
+	const char *option;             /* that said the bounds, or NULL */
+	FilterRule  rule;
+	int         n;                  /* how many scales */
+	double      bound[SCALES_MAX];
+	double      lambda, H;          /* --K-lambda and --K-H, or -1: the bound of the scale */
+	int         raw, log, bending;  /* --raw, --log-lambda, --bending */
+} Scales;
+
+/* Nothing said: cosines, the logarithm of lambda, lambda H. */
+void scales_init(Scales *s);
+
+/* Take the list X or X,X,.. of an option, or exit 2. */
+void scales_set(Scales *s, FilterRule rule, const char *option, const char *list);
+
+/* Exit 2 when the options do not say one thing; to be called once after all of them. */
+void scales_check(Scales *s);
+
+/* Dies unless g has lambda > 0 and H; gives the least lambda. */
+double scales_need(const CmdInput *in, const Lhg *g);
+
+/* The field that is filtered for H, lambda H or H itself, to be freed; and its name. */
+double *scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g);
+const char *scales_name(const Scales *s);
+
+/* Filter lambda and H of g as at scale k, or die. */
+void scales_apply(const Scales *s, int k, const CmdInput *in, Lhg *g);
+
+#endif

@@ -1,0 +1,10 @@
+/* landfile.h - the file of --landmarks. */
+#ifndef CMD_LANDFILE_H
+#define CMD_LANDFILE_H
+
+#include "../../lib/morph/matching.h"
+
+/* The correspondence of borders a and b that the landmarks in path say, or die. */
+void landfile_match(const char *path, const Border *a, const Border *b, Matching *m);
+
+#endif

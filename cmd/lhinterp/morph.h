@@ -1,0 +1,24 @@
+/* morph.h - what lhinterp knows of its two grids. */
+#ifndef CMD_MORPH_H
+#define CMD_MORPH_H
+
+#include "../../lib/morph/matching.h"
+#include "../shared/cmd.h"
+
+typedef struct Morph {
+	CmdInput A, B;
+	Lhg      a, b;
+	int      has_border, landmarks; /* whether border and match are there; of landmarks */
+	Border   border[2];
+	Matching match;
+} Morph;
+
+/* Read both, or die if they do not fit each other; landmarks: a file, or NULL. */
+void morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks, int align);
+
+/* The grid at t, 0 .. 1, frame k of n. */
+void morph_at(const Morph *m, double t, int k, int n, Lhg *g);
+
+void morph_free(Morph *m);
+
+#endif

@@ -1,0 +1,72 @@
+/* quarters.c - the four quarter turns of a border against another. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "../../lib/base/procrustes.h"
+#include "quarters.h"
+
+enum { SIDE = 128 };                    /* points a side */
+static const double CLEAR = 1.5;        /* how much farther apart the borders must be, .. */
+static const double FAR = 0.1;          /* .. in units of their size at least so far, .. */
+static const double NEAR = 1.25;        /* .. or, when no farther than that from each other, .. */
+static const double TURN = M_PI/3;      /* .. how much more B must be turned */
+
+/* Points at equal places from side first on, centred and of root mean square 1. */
+static void
+sample(const Border *b, int first, double *x)
+{
+	double mean[3] = { 0 }, sum = 0;
+	int i;
+
+	for (i = 0; i < 4*SIDE; i++)
+		border_at(b, fmod(first + (double)i/SIDE, 4), x + 3*i);
+	for (i = 0; i < 12*SIDE; i++)
+		mean[i%3] += x[i]/(4*SIDE);
+	for (i = 0; i < 12*SIDE; i++)
+		sum = hypot(sum, x[i] -= mean[i%3]);
+	for (i = 0; i < 12*SIDE; i++)
+		x[i] *= sqrt(4*SIDE)/sum;
+}
+
+/* The number of quarter turns that fits best.  Where B stays as it stands, none counts that would have to
+ * turn it much more in space. */
+static int
+best_turn(const double rms[4], const double angle[4], int aligned)
+{
+	int k, best = 0, chosen;
+
+	for (k = 1; k < 4; k++)
+		if (rms[k] < rms[best] && (aligned || angle[k] <= angle[0] + TURN))
+			best = k;
+	for (chosen = best, k = 0; k < 4; k++)
+		if (rms[k] <= NEAR*rms[best] && angle[k] < angle[chosen])
+			chosen = k;
+	return chosen;
+}
+
+void
+quarters_check(const CmdInput *A, const Border *a, const CmdInput *B, const Border *b, int aligned)
+{
+	double *x = cmd_alloc(2*12*SIDE, sizeof *x), *y = x + 12*SIDE, rms[4], angle[4];
+	int k, best;
+	Rigid r;
+
+	sample(a, 0, x);
+	for (k = 0; k < 4; k++) {
+		sample(b, k, y);
+		if (procrustes(4*SIDE, NULL, x, y, &r, &rms[k]))
+			break;
+		angle[k] = rigid_angle(&r);
+		detail("%s: %d quarter turns: borders %.3g of their size apart, %.3g degrees", B->name, k, rms[k],
+		    angle[k]*180/M_PI);
+	}
+	free(x);
+	if (k < 4)
+		return;
+	best = best_turn(rms, angle, aligned);
+	if ((rms[0] > FAR && rms[0] > CLEAR*rms[best]) || angle[0] > angle[best] + TURN)
+		note("%s fits %s better with corners %d,%d,%d,%d (mesh2rect --like): then boundaries are %.2g of "
+		    "their size apart after a turn of %.0f degrees, now %.2g after %.0f", B->name, A->name, best%4 + 1,
+		    (best + 1)%4 + 1, (best + 2)%4 + 1, (best + 3)%4 + 1, rms[best], angle[best]*180/M_PI, rms[0],
+		    angle[0]*180/M_PI);
+}

@@ -1,0 +1,15 @@
+/* uvopt.h - the option --uv of mesh2rect. */
+#ifndef CMD_UVOPT_H
+#define CMD_UVOPT_H
+
+#include "../../lib/mesh/mesh.h"
+
+/* Exit 2 when FILE does not end in .obj or .ply. */
+void opt_uv(const char *file);
+
+/* Write s, the file's own vertices and polygons, with the (u,v) of the vertices of d, the
+ * disk made from it, to FILE, or die.  To be called before cmd_write: one output is open at
+ * a time, and who reads the grid from a pipe may then count on FILE. */
+void uv_write(const char *file, Soup *s, const Disk *d, const double *u, const double *v, double T);
+
+#endif

@@ -1,0 +1,281 @@
+/* polish.c - rounds of conformal maps of a grid onto itself. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../grid/bicubic.h"
+#include "gridlaplace.h"
+#include "../grid/lambdah.h"
+#include "polish.h"
+#include "../base/stats.h"
+
+/* Two stages: the first finds the way from far and is all there is on most surfaces; where the
+ * surface turns much within a cell and that has left more than UNDONE of the mean
+ * coefficient, the second goes on to a grid as conformal as the nodes can tell, which costs
+ * the cells some of theirs, and so those who integrate over them.  A round that leaves more
+ * than worth of the mean has gained nothing. */
+static const struct { int metric; double worth; } STAGE[] = {
+	{ GRIDLAPLACE_CELLS, 0.85 }, { GRIDLAPLACE_NODES, 0.97 }
+};
+enum { STAGES = 2, PATIENCE = 3 };
+static const double UNDONE = 4e-3;
+static const double FOLDED = 2e-3;      /* mean above which so many rounds without gain end the
+                                         * first stage, not one: from a start with folds the way
+                                         * may go uphill */
+
+static int
+grid_alloc(Grid *a, Chart g)
+{
+	size_t n = (size_t)g.nu*g.nv;
+	int c;
+
+	a->g = g;
+	a->x = malloc(5*n*sizeof *a->x);
+	if (!a->x)
+		return POLISH_ENOMEM;
+	a->y = a->x + n;
+	for (c = 0; c < 3; c++)
+		a->phi[c] = a->x + (2 + c)*n;
+	return 0;
+}
+
+int
+grid_init(Grid *a, Chart g, const Sampler *s)
+{
+	size_t n = (size_t)g.nu*g.nv, p;
+
+	if (grid_alloc(a, g))
+		return POLISH_ENOMEM;
+	for (p = 0; p < n; p++) {
+		a->x[p] = (p%g.nu)/(g.nu - 1.0);
+		a->y[p] = g.T*((p/g.nu)/(g.nv - 1.0));
+	}
+	if (!sampler_grid(s, g, a->x, a->y, a->phi))
+		return 0;
+	grid_free(a);
+	return POLISH_ENOMEM;
+}
+
+void
+grid_free(Grid *a)
+{
+	free(a->x);
+	a->x = NULL;
+}
+
+/* The map of a grid onto itself as displacements, in nodes: node (i,j) goes to
+ * (i + du, j + dv). */
+typedef struct Shift {
+	double *du, *dv, T;     /* T of the new chart */
+} Shift;
+
+static int
+find_shift(const Grid *a, int metric, Shift *s)
+{
+	size_t n = (size_t)a->g.nu*a->g.nv, p;
+	double Ea, Eb;
+	GridLaplace l;
+	int e = gridlaplace_init(&l, a->g, a->phi, metric), e1 = 0;
+
+	if (e)
+		return e;
+#pragma omp parallel sections
+	{
+#pragma omp section
+		e = gridlaplace_harmonic(&l, 0, s->du, &Ea);
+#pragma omp section
+		e1 = gridlaplace_harmonic(&l, 1, s->dv, &Eb);
+	}
+	gridlaplace_free(&l);
+	if (e || e1)
+		return e ? e : e1;
+	s->T = sqrt(Ea/Eb);
+	for (p = 0; p < n; p++) {
+		s->du[p] = s->du[p]*(a->g.nu - 1) - p%a->g.nu;
+		s->dv[p] = s->dv[p]*(a->g.nv - 1) - p/a->g.nu;
+	}
+	return 0;
+}
+
+/* The place (x,y), in nodes, that the shift brings to (i,j): fixed point of
+ * x = i - du(x,y), y = j - dv(x,y), damped where the plain one does not settle. */
+static void
+invert(const Shift *s, Chart g, int i, int j, double *x, double *y)
+{
+	double dx = 1, dy = 1, w;
+	Bicubic at;
+	int k;
+
+	*x = i - s->du[(size_t)j*g.nu + i];
+	*y = j - s->dv[(size_t)j*g.nu + i];
+	for (k = 0; k < 200 && fmax(fabs(dx), fabs(dy)) > 1e-6; k++) {
+		w = k < 30 ? 1 : 0.3;
+		at = bicubic_at(g.nu, g.nv, *x, *y);
+		dx = w*(i - *x - bicubic_value(&at, s->du));
+		dy = w*(j - *y - bicubic_value(&at, s->dv));
+		*x = fmin(fmax(*x + dx, 0), g.nu - 1);
+		*y = fmin(fmax(*y + dy, 0), g.nv - 1);
+	}
+}
+
+static int
+resample(const Sampler *sampler, const Grid *a, const Shift *s, Grid *b)
+{
+	int nu = a->g.nu, nv = a->g.nv, p;
+
+	b->g = a->g;
+	b->g.T = s->T;
+	#pragma omp parallel for schedule(dynamic, 256)
+	for (p = 0; p < nu*nv; p++) {
+		double x, y;
+		Bicubic at;
+
+		invert(s, a->g, p%nu, p/nu, &x, &y);
+		at = bicubic_at(nu, nv, x, y);
+		b->x[p] = fmin(fmax(bicubic_value(&at, a->x), 0), 1);
+		b->y[p] = fmin(fmax(bicubic_value(&at, a->y), 0), sampler->l.T);
+	}
+	return sampler_grid(sampler, b->g, b->x, b->y, b->phi) ? POLISH_ENOMEM : 0;
+}
+
+static void
+carry(Chart g, const Shift *s, int n, double *pu, double *pv)
+{
+	int i;
+
+	#pragma omp parallel for schedule(static)
+	for (i = 0; i < n; i++) {
+		double x = pu[i]*(g.nu - 1), y = pv[i]/g.T*(g.nv - 1);
+		Bicubic at = bicubic_at(g.nu, g.nv, x, y);
+
+		pu[i] = fmin(fmax((x + bicubic_value(&at, s->du))/(g.nu - 1), 0), 1);
+		pv[i] = fmin(fmax((y + bicubic_value(&at, s->dv))/(g.nv - 1), 0), 1)*s->T;
+	}
+}
+
+/* mu is room for the inner nodes. */
+static double
+mean_beltrami(const Grid *a, double *mu)
+{
+	beltrami(a->g, (const double *const *)a->phi, mu);
+	return stats_mean((size_t)(a->g.nu - 2)*(a->g.nv - 2), mu);
+}
+
+/* A grid and the points that go with it. */
+typedef struct State {
+	Grid    grid;
+	int     n;
+	double *pu, *pv;
+	double  mean;           /* modulus of the Beltrami coefficient */
+} State;
+
+static int
+state_alloc(State *s, Chart g, int n)
+{
+	*s = (State){ .n = n };
+	s->pu = malloc(2*(size_t)n*sizeof *s->pu + 1);
+	s->pv = s->pu + n;
+	return s->pu && !grid_alloc(&s->grid, g) ? 0 : POLISH_ENOMEM;
+}
+
+static void
+state_free(State *s)
+{
+	grid_free(&s->grid);
+	free(s->pu);
+}
+
+static void
+copy_points(int n, const double *pu, const double *pv, State *to)
+{
+	if (n == 0)
+		return;
+	memcpy(to->pu, pu, n*sizeof *pu);
+	memcpy(to->pv, pv, n*sizeof *pv);
+}
+
+static void
+state_copy(const State *from, State *to)
+{
+	size_t n = (size_t)from->grid.g.nu*from->grid.g.nv;
+
+	to->grid.g = from->grid.g;
+	to->mean = from->mean;
+	memcpy(to->grid.x, from->grid.x, 5*n*sizeof(double));
+	copy_points(from->n, from->pu, from->pv, to);
+}
+
+/* From a by one round to b; mu is room for the inner nodes. */
+static int
+advance(const Sampler *sampler, int metric, const State *a, State *b, Shift *shift, double *mu)
+{
+	int e = find_shift(&a->grid, metric, shift);
+
+	if (e)
+		return e;
+	copy_points(a->n, a->pu, a->pv, b);
+	e = resample(sampler, &a->grid, shift, &b->grid);
+	if (e)
+		return e;
+	carry(a->grid.g, shift, b->n, b->pu, b->pv);
+	b->mean = mean_beltrami(&b->grid, mu);
+	return 0;
+}
+
+/* The next stage if there is to be one, from the best grid, when there were `idle` rounds
+ * without gain in this. */
+static int
+next_stage(int stage, const State *best, State *now, int *idle)
+{
+	if (*idle < (stage == 0 && best->mean > FOLDED ? PATIENCE : 1))
+		return stage;
+	*idle = 0;
+	state_copy(best, now);
+	return best->mean > UNDONE ? stage + 1 : STAGES;
+}
+
+/* best is the start on entry. */
+static int
+iterate(const Sampler *sampler, State *best, State work[2], int rounds, double enough, Shift *shift,
+	double *mu, int *done)
+{
+	int k, e, idle = 0, stage = 0;
+	State *now, *next;
+
+	best->mean = mean_beltrami(&best->grid, mu);
+	state_copy(best, &work[0]);
+	for (k = 0; k < rounds && best->mean > enough && stage < STAGES; k++) {
+		now = &work[k%2], next = &work[(k+1)%2];
+		e = advance(sampler, STAGE[stage].metric, now, next, shift, mu);
+		if (e)
+			return e;
+		idle = next->mean < STAGE[stage].worth*best->mean ? 0 : idle + 1;
+		if (next->mean < best->mean) {
+			state_copy(next, best);
+			*done = k + 1;
+		}
+		stage = next_stage(stage, best, next, &idle);
+	}
+	return 0;
+}
+
+int
+polish(const Sampler *sampler, Grid *a, int rounds, double enough, int n, double *pu, double *pv,
+	int *done)
+{
+	size_t nodes = (size_t)a->g.nu*a->g.nv;
+	double *room = malloc(3*nodes*sizeof *room);
+	Shift shift = { room, room + nodes, 0 };
+	State best = { *a, n, pu, pv, 0 }, work[2];
+	int e = state_alloc(&work[0], a->g, n), e1 = state_alloc(&work[1], a->g, n);
+
+	*done = 0;
+	e = e || e1 || !room ? POLISH_ENOMEM : 0;
+	if (!e && rounds > 0)
+		e = iterate(sampler, &best, work, rounds, enough, &shift, room + 2*nodes, done);
+	*a = best.grid;
+	state_free(&work[0]);
+	state_free(&work[1]);
+	free(room);
+	return e ? POLISH_ENOMEM : 0;
+}

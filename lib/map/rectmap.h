@@ -1,0 +1,36 @@
+/* rectmap.h - conformal map of a disk onto a rectangle, by two cotangent systems.
+ *
+ * Four corners make the disk a quadrilateral.  u is harmonic, 0 on its left and 1 on its
+ * right side, free on the others; v1 likewise between bottom and top.  The Dirichlet
+ * energies bound the conformal modulus from both sides, E(u) >= T >= 1/E(v1), so
+ *
+ *   T = sqrt(E(u)/E(v1)),   v = T v1,   certificate = sqrt(E(u) E(v1)) - 1 >= 0,
+ *
+ * and the certificate is 0 only for an exactly conformal map (DESIGN section 4).
+ */
+#ifndef RECTMAP_H
+#define RECTMAP_H
+
+#include "cotangent.h"
+#include "../mesh/mesh.h"
+#include "../sparse/spd.h"
+
+/* d          the disk
+ * coarse     NULL, or the disk that d was before all its triangles were split into four
+ *            (refine_split with NULL): the elements are then the quadratic ones of coarse, on which
+ *            (u,v) err by O(h^3) instead of O(h^2) where the mesh is irregular, and the
+ *            certificate is theirs
+ * corner     places in the boundary loop, as corners.h gives them
+ * u, v       out  [nv] of each vertex, 0 <= v <= T on the sides
+ * report     out  the bytes of the factor, 0 if not known; on SPD_EINDEFINITE the vertex
+ *
+ * The same bits for any number of threads; two work well.
+ *
+ * Returns 0, or one of SPD_ENOMEM, SPD_EINDEFINITE, SPD_ELARGE. */
+int rectmap(const Disk *d, const Disk *coarse, const int corner[4], double *u, double *v, double *T,
+	double *certificate, SpdReport *report);
+
+/* Triangles that the map turned over: those with (u,v) area < 0. */
+int rectmap_flipped(const Mesh *m, const double *u, const double *v);
+
+#endif

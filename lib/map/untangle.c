@@ -1,0 +1,158 @@
+/* untangle.c - local relaxation of turned triangles. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "rectmap.h"
+#include "untangle.h"
+#include "../base/vec3.h"
+
+enum { RINGS = 8, SWEEPS = 30 };
+enum { HOLD_U = 1, HOLD_V = 2 };
+
+typedef struct Tangle {
+	const Disk    *d;
+	double        *u, *v;
+	unsigned char *hold;    /* [nv] which coordinates the sides fix */
+	unsigned char *moving;  /* [nv] */
+	double        *sum;     /* [nv][3] of weights, of weighted u, of weighted v */
+} Tangle;
+
+static void
+mark_side(const Tangle *t, int a, int b, int hold)
+{
+	int i;
+
+	for (i = a; ; i = (i + 1)%t->d->nb) {
+		t->hold[t->d->loop[i]] |= hold;
+		if (i == b)
+			break;
+	}
+}
+
+static int
+is_turned(const Tangle *t, int f)
+{
+	const int *c = &t->d->m.tri[3*f];
+
+	return (t->u[c[1]] - t->u[c[0]])*(t->v[c[2]] - t->v[c[0]])
+	    < (t->u[c[2]] - t->u[c[0]])*(t->v[c[1]] - t->v[c[0]]);
+}
+
+/* Every vertex of a turned triangle moves, and with widen every vertex that shares a
+ * triangle with a moving one. */
+static int
+choose(Tangle *t, int widen)
+{
+	unsigned char *old = malloc(t->d->m.nv);
+	int f, k;
+
+	if (!old)
+		return UNTANGLE_ENOMEM;
+	memcpy(old, t->moving, t->d->m.nv);
+	for (f = 0; f < t->d->m.nf; f++) {
+		const int *c = &t->d->m.tri[3*f];
+
+		if (is_turned(t, f) || (widen && (old[c[0]] | old[c[1]] | old[c[2]])))
+			for (k = 0; k < 3; k++)
+				t->moving[c[k]] = 1;
+	}
+	free(old);
+	return 0;
+}
+
+/* tan(angle/2) at corner k of triangle f. */
+static double
+half_tangent(const Mesh *m, int f, int k)
+{
+	const int *c = &m->tri[3*f];
+	double a[3], b[3], n[3];
+
+	sub3(&m->xyz[3*c[(k+1)%3]], &m->xyz[3*c[k]], a);
+	sub3(&m->xyz[3*c[(k+2)%3]], &m->xyz[3*c[k]], b);
+	cross3(a, b, n);
+	return norm3(n)/(norm3(a)*norm3(b) + dot3(a, b));
+}
+
+/* What triangle f gives to its corner k: half of the weights of the two other corners. */
+static void
+gather(const Tangle *t, int f, int k)
+{
+	const Mesh *m = &t->d->m;
+	const int *c = &m->tri[3*f];
+	double tangent = half_tangent(m, f, k), e[3], w, *sum = &t->sum[3*c[k]];
+	int i, q;
+
+	for (i = 1; i < 3; i++) {
+		q = c[(k+i)%3];
+		sub3(&m->xyz[3*q], &m->xyz[3*c[k]], e);
+		w = tangent/norm3(e);
+		sum[0] += w;
+		sum[1] += w*t->u[q];
+		sum[2] += w*t->v[q];
+	}
+}
+
+/* One sweep: all moving vertices at once. */
+static void
+relax(const Tangle *t)
+{
+	const Mesh *m = &t->d->m;
+	int f, k, i;
+
+	memset(t->sum, 0, 3*(size_t)m->nv*sizeof *t->sum);
+	for (f = 0; f < m->nf; f++)
+		for (k = 0; k < 3; k++)
+			if (t->moving[m->tri[3*f+k]])
+				gather(t, f, k);
+	for (i = 0; i < m->nv; i++) {
+		const double *sum = &t->sum[3*i];
+
+		if (!t->moving[i] || !(sum[0] > 0 && sum[0] < HUGE_VAL))
+			continue;
+		if (!(t->hold[i] & HOLD_U))
+			t->u[i] = sum[1]/sum[0];
+		if (!(t->hold[i] & HOLD_V))
+			t->v[i] = sum[2]/sum[0];
+	}
+}
+
+static int
+run(Tangle *t, const int corner[4], int *turned)
+{
+	const Mesh *m = &t->d->m;
+	int ring, sweep, e = 0;
+
+	mark_side(t, corner[0], corner[1], HOLD_V);
+	mark_side(t, corner[1], corner[2], HOLD_U);
+	mark_side(t, corner[2], corner[3], HOLD_V);
+	mark_side(t, corner[3], corner[0], HOLD_U);
+	for (ring = 0; ring < RINGS && *turned > 0 && !e; ring++) {
+		e = choose(t, ring > 0);
+		for (sweep = 0; sweep < SWEEPS && *turned > 0 && !e; sweep++) {
+			relax(t);
+			*turned = rectmap_flipped(m, t->u, t->v);
+		}
+	}
+	return e;
+}
+
+int
+untangle(const Disk *d, const int corner[4], double *u, double *v, int *turned)
+{
+	size_t nv = d->m.nv;
+	Tangle t = { d, u, v, NULL, NULL, NULL };
+	int e = UNTANGLE_ENOMEM;
+
+	*turned = rectmap_flipped(&d->m, u, v);
+	if (*turned == 0)
+		return 0;
+	t.hold = calloc(nv, 1);
+	t.moving = calloc(nv, 1);
+	t.sum = malloc(3*nv*sizeof *t.sum);
+	if (t.hold && t.moving && t.sum)
+		e = run(&t, corner, turned);
+	free(t.hold);
+	free(t.moving);
+	free(t.sum);
+	return e;
+}

@@ -1,0 +1,280 @@
+/* disk.c - from a polygon soup to a disk, or the true reason why not. */
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "disk.h"
+#include "fail.h"
+#include "polygon.h"
+#include "repair.h"
+#include "topology.h"
+
+static void
+addnote(Disk *d, const char *fmt, ...)
+{
+	size_t n = strlen(d->note);
+	va_list ap;
+
+	if (n > 0)
+		n += (size_t)snprintf(d->note + n, sizeof d->note - n, "; ");
+	va_start(ap, fmt);
+	vsnprintf(d->note + n, sizeof d->note - n, fmt, ap);
+	va_end(ap);
+}
+
+static int
+checkcorners(const Soup *s, char *err)
+{
+	int f, i;
+
+	for (f = 0; f < s->nf; f++)
+		for (i = s->first[f]; i < s->first[f+1]; i++)
+			if (s->idx[i] < 0 || s->idx[i] >= s->nv)
+				return mesh_fail(err, MESH_EINDEX, "face %d names vertex %d of %d",
+				    f, s->idx[i], s->nv);
+	return 0;
+}
+
+static int
+checkfinite(const Soup *s, char *err)
+{
+	size_t i;
+
+	for (i = 0; i < 3*(size_t)s->nv; i++)
+		if (!isfinite(s->xyz[i]))
+			return mesh_fail(err, MESH_EVALUE,
+			    "vertex %zu has a coordinate that is not finite", i/3);
+	return 0;
+}
+
+/* Number the vertices anew: vertex v becomes to[v] < nnew, or goes where that is -1.
+ * Of several that become one, the first gives position and name. */
+static void
+renumber(Disk *d, const int *to, int nnew)
+{
+	Mesh *m = &d->m;
+	int v, done = 0;
+	size_t i;
+
+	for (v = 0; v < m->nv; v++)
+		if (to[v] == done) {
+			memmove(m->xyz + 3*(size_t)done, m->xyz + 3*(size_t)v, 3 * sizeof *m->xyz);
+			d->file[done++] = d->file[v];
+		}
+	for (v = 0; v < d->nfile; v++)
+		if (d->became[v] >= 0)
+			d->became[v] = to[d->became[v]];
+	for (i = 0; i < 3*(size_t)m->nf; i++)
+		m->tri[i] = to[m->tri[i]];
+	m->nv = nnew;
+}
+
+static void
+dropunused(Disk *d, int *to)
+{
+	Mesh *m = &d->m;
+	const int before = m->nv;
+	int v, n = 0;
+	size_t i;
+
+	memset(to, -1, (size_t)m->nv * sizeof *to);
+	for (i = 0; i < 3*(size_t)m->nf; i++)
+		to[m->tri[i]] = 0;
+	for (v = 0; v < m->nv; v++)
+		if (to[v] == 0)
+			to[v] = n++;
+	if (n == before)
+		return;
+	renumber(d, to, n);
+	addnote(d, "%d unreferenced %s dropped", before - n,
+	    before - n == 1 ? "vertex" : "vertices");
+}
+
+/* Do the faces, two or more, share no vertex at all? */
+static int
+issoup(const Soup *s, int *used)
+{
+	int i;
+
+	memset(used, 0, (size_t)s->nv * sizeof *used);
+	for (i = 0; i < s->first[s->nf]; i++)
+		if (used[s->idx[i]]++)
+			return 0;
+	return s->nf > 1;
+}
+
+static int
+weld(Disk *d, int *to)
+{
+	Mesh *m = &d->m;
+	const int before = m->nv;
+	int n, e = repair_weld(m->nv, m->xyz, to, &n);
+
+	if (e)
+		return mesh_fail(d->err, MESH_ENOMEM, "no memory to weld %d vertices", m->nv);
+	if (n == before)
+		return 0;
+	renumber(d, to, n);
+	addnote(d, "%d vertices of a soup welded to %d", before, n);
+	return 0;
+}
+
+/* Turn the faces marked in turn, or all others if the marked ones are the most.
+ * Returns how many. */
+static int
+turnfaces(Mesh *m, const signed char *turn)
+{
+	int f, n = 0, most, t;
+
+	for (f = 0; f < m->nf; f++)
+		n += turn[f];
+	most = n > m->nf - n;
+	for (f = 0; f < m->nf; f++)
+		if (turn[f] != most) {
+			int *c = m->tri + 3*(size_t)f;
+
+			t = c[1], c[1] = c[2], c[2] = t;
+		}
+	return most ? m->nf - n : n;
+}
+
+/* Make neighbours agree. */
+static int
+orient(Disk *d, Topology *t)
+{
+	signed char *turn = mesh_alloc(d->err, (size_t)d->m.nf, 1);
+	int e, n;
+
+	if (!turn)
+		return MESH_ENOMEM;
+	if ((e = topology_orient(t, turn)) == 0) {
+		n = turnfaces(&d->m, turn);
+		addnote(d, "%d of %d faces were turned to agree with the rest", n, d->m.nf);
+		free(t->twin);
+		e = topology_twins(t);
+	}
+	free(turn);
+	return e;
+}
+
+/* One component, with one fan at every vertex: looked for at the same time. */
+static int
+checkwhole(const Topology *t)
+{
+	char err[MESH_ERRLEN];
+	Topology other = *t;
+	int e = 0, e1 = 0;
+
+	other.err = err;
+#pragma omp parallel sections
+	{
+#pragma omp section
+		e = topology_connected(t);
+#pragma omp section
+		e1 = topology_fans(&other);
+	}
+	if (!e && e1)
+		memcpy(t->err, err, sizeof err);
+	return e ? e : e1;
+}
+
+static int
+checkdisk(Disk *d)
+{
+	Topology t = { .nv = d->m.nv, .nf = d->m.nf, .tri = d->m.tri, .file = d->file, .err = d->err };
+	int e;
+
+	if ((e = topology_twins(&t)) != 0)
+		return e;
+	if (t.odd)
+		e = orient(d, &t);
+	if (!e && (e = checkwhole(&t)) == 0)
+		e = topology_loop(&t, &d->loop, &d->nb);
+	d->twin = t.twin;
+	return e;
+}
+
+static int
+build(Disk *d, const Soup *s, int *scratch)
+{
+	Mesh *m = &d->m;
+	int e, v;
+
+	if ((e = polygon_split(s, &m->tri, &m->nf, d->err)) != 0)
+		return e;
+	m->xyz = mesh_alloc(d->err, (size_t)s->nv, 3 * sizeof *m->xyz);
+	d->file = mesh_alloc(d->err, (size_t)s->nv, sizeof *d->file);
+	d->became = mesh_alloc(d->err, (size_t)s->nv, sizeof *d->became);
+	if (!m->xyz || !d->file || !d->became)
+		return MESH_ENOMEM;
+	m->nv = d->nfile = s->nv;
+	memcpy(m->xyz, s->xyz, 3 * (size_t)s->nv * sizeof *m->xyz);
+	for (v = 0; v < s->nv; v++)
+		d->file[v] = d->became[v] = v;
+	dropunused(d, scratch);
+	if (issoup(s, scratch) && (e = weld(d, scratch)) != 0)
+		return e;
+	return checkdisk(d);
+}
+
+int
+disk_from_soup(Disk *d, const Soup *s)
+{
+	int *scratch, e;
+
+	memset(d, 0, sizeof *d);
+	if ((e = checkcorners(s, d->err)) != 0 || (e = checkfinite(s, d->err)) != 0)
+		return e;
+	if (s->nf == 0)
+		return mesh_fail(d->err, MESH_EDISK, "no faces: nothing to be a disk");
+	scratch = mesh_alloc(d->err, (size_t)s->nv, sizeof *scratch);
+	e = scratch ? build(d, s, scratch) : MESH_ENOMEM;
+	free(scratch);
+	if (e)
+		disk_free(d);
+	return e;
+}
+
+/* Side k of a face that is turned. */
+static int
+flipped(int side)
+{
+	return side < 0 ? side : side - side%3 + (2 - side%3);
+}
+
+void
+disk_flip(Disk *d)
+{
+	int f, i, t;
+
+	for (f = 0; f < d->m.nf; f++) {
+		int *c = d->m.tri + 3*(size_t)f, *twin = d->twin + 3*(size_t)f;
+
+		t = c[1], c[1] = c[2], c[2] = t;
+		t = twin[0], twin[0] = flipped(twin[2]), twin[2] = flipped(t);
+		twin[1] = flipped(twin[1]);
+	}
+	for (i = 1; i < d->nb - i; i++)
+		t = d->loop[i], d->loop[i] = d->loop[d->nb - i], d->loop[d->nb - i] = t;
+}
+
+int
+disk_uv(const Disk *d, const double *u, const double *v, double T, Soup *s)
+{
+	size_t i;
+	int k;
+
+	if (!s->uv)
+		s->uv = mesh_alloc(s->err, (size_t)s->nv, 2 * sizeof *s->uv);
+	if (!s->uv)
+		return MESH_ENOMEM;
+	s->T = T;
+	for (i = 0; i < (size_t)s->nv; i++) {
+		k = d->became[i];
+		s->uv[2*i] = k < 0 ? -1 : fmin(fmax(u[k], 0), 1);
+		s->uv[2*i+1] = k < 0 ? -1 : fmin(fmax(v[k], 0), T);
+	}
+	return 0;
+}

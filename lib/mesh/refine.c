@@ -1,0 +1,292 @@
+/* refine.c - longest-edge bisection with closure. */
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "refine.h"
+#include "topology.h"
+#include "../base/vec3.h"
+
+/* A split in the making.  Side 3f+k of face f goes from its corner k to corner k+1. */
+typedef struct Split {
+	const Disk *d;
+	Topology    t;
+	int         similar;    /* all faces, into four similar ones */
+	int        *mid;        /* [3*nf] new vertex on each side; -1: not cut, CUT: to be numbered */
+	int        *stack, depth;       /* faces whose longest side may have to be cut */
+	int        *part;       /* [3*nf][2] new side that a side becomes, or its first and second half */
+	int        *tri, *twin, nf;     /* what has been made of it */
+} Split;
+
+enum { CUT = INT_MAX };
+
+static double
+length2(const Split *s, int side)
+{
+	double e[3];
+
+	sub3(&s->d->m.xyz[3*topology_to(&s->t, side)], &s->d->m.xyz[3*topology_from(&s->t, side)], e);
+	return dot3(e, e);
+}
+
+/* The longest side of face f; of equal ones that of the lowest edge, so that neighbours
+ * agree. */
+static int
+longest(const Split *s, int f)
+{
+	int k, best = 3*f, side, edge, best_edge;
+	double max = -1, l;
+
+	for (k = 0; k < 3; k++) {
+		side = 3*f + k;
+		l = length2(s, side);
+		edge = s->t.twin[side] >= 0 && s->t.twin[side] < side ? s->t.twin[side] : side;
+		best_edge = s->t.twin[best] >= 0 && s->t.twin[best] < best ? s->t.twin[best] : best;
+		if (l > max || (l == max && edge < best_edge)) {
+			max = l;
+			best = side;
+		}
+	}
+	return best;
+}
+
+/* Cut a side for both its faces; the neighbour has to be looked at again. */
+static void
+cut(Split *s, int side)
+{
+	int twin = s->t.twin[side];
+
+	if (s->mid[side] == CUT)
+		return;
+	s->mid[side] = CUT;
+	if (twin >= 0) {
+		s->mid[twin] = CUT;
+		s->stack[s->depth++] = twin/3;
+	}
+}
+
+/* Every face with a cut side has its longest side cut.  Each side is cut once, so the
+ * stack holds at most one entry a side and one a face. */
+static void
+close_up(Split *s, const unsigned char *marked)
+{
+	int f, k;
+
+	for (f = 0; f < s->t.nf; f++)
+		for (k = 0; k < 3 && (s->similar || marked[f]); k++)
+			cut(s, 3*f + k);
+	while (s->depth > 0) {
+		f = s->stack[--s->depth];
+		cut(s, longest(s, f));
+	}
+}
+
+/* Number the new vertices; returns how many there are, *faces the faces to come. */
+static int
+number_cuts(Split *s, int *faces)
+{
+	int side, twin, n = s->d->m.nv;
+
+	*faces = s->t.nf;
+	for (side = 0; side < 3*s->t.nf; side++) {
+		if (s->mid[side] < 0)
+			continue;
+		++*faces;
+		twin = s->t.twin[side];
+		s->mid[side] = twin >= 0 && twin < side ? s->mid[twin] : n++;
+	}
+	return n - s->d->m.nv;
+}
+
+static void
+place(const Split *s, double *xyz)
+{
+	const double *a, *b;
+	int side, c;
+
+	for (side = 0; side < 3*s->t.nf; side++) {
+		if (s->mid[side] < 0)
+			continue;
+		a = &s->d->m.xyz[3*topology_from(&s->t, side)];
+		b = &s->d->m.xyz[3*topology_to(&s->t, side)];
+		for (c = 0; c < 3; c++)
+			xyz[3*(size_t)s->mid[side] + c] = (a[c] + b[c])/2;
+	}
+}
+
+/* A new face; returns its side a b. */
+static int
+emit(Split *s, int a, int b, int c)
+{
+	int side = 3*s->nf++;
+
+	s->tri[side] = a;
+	s->tri[side+1] = b;
+	s->tri[side+2] = c;
+	return side;
+}
+
+static void
+sew(Split *s, int side, int twin)
+{
+	s->twin[side] = twin;
+	s->twin[twin] = side;
+}
+
+/* The part A m C of a face, halved where CA is cut; returns its side m C. */
+static int
+emit_left(Split *s, int A, int m, int C, int side, int last)
+{
+	int ca = s->mid[last], left = emit(s, A, m, ca < 0 ? C : ca), right;
+
+	s->part[2*side] = left;
+	if (ca < 0) {
+		s->part[2*last] = left + 2;
+		return left + 1;
+	}
+	right = emit(s, ca, m, C);
+	sew(s, left + 1, right);
+	s->part[2*last] = right + 2;
+	s->part[2*last+1] = left + 2;
+	return right + 1;
+}
+
+/* The part m B C, halved where BC is cut; returns its side C m. */
+static int
+emit_right(Split *s, int m, int B, int C, int side, int next)
+{
+	int bc = s->mid[next], left = emit(s, m, B, bc < 0 ? C : bc), right;
+
+	s->part[2*side+1] = left;
+	s->part[2*next] = left + 1;
+	if (bc < 0)
+		return left + 2;
+	right = emit(s, m, bc, C);
+	sew(s, left + 2, right);
+	s->part[2*next+1] = right + 1;
+	return right + 2;
+}
+
+static void
+emit_similar(Split *s, int f)
+{
+	const int *mid = &s->mid[3*f], *c = &s->t.tri[3*f];
+	int inner = emit(s, mid[0], mid[1], mid[2]), k, l, side;
+
+	for (k = 0; k < 3; k++) {
+		l = (k + 2)%3;
+		side = emit(s, c[k], mid[k], mid[l]);
+		s->part[2*(3*f + k)] = side;
+		s->part[2*(3*f + l) + 1] = side + 2;
+		sew(s, side + 1, inner + l);
+	}
+}
+
+/* The parts of face f: itself, or halves at its longest side AB, each of them halved
+ * again where its other old side is cut. */
+static void
+emit_face(Split *s, int f)
+{
+	const int *mid = &s->mid[3*f], *c = &s->t.tri[3*f];
+	int side, next, last, left, m, C, k;
+
+	if (s->similar) {
+		emit_similar(s, f);
+		return;
+	}
+	if (mid[0] < 0 && mid[1] < 0 && mid[2] < 0) {
+		side = emit(s, c[0], c[1], c[2]);
+		for (k = 0; k < 3; k++)
+			s->part[2*(3*f + k)] = side + k;
+		return;
+	}
+	side = longest(s, f), next = topology_next(side), last = topology_next(next);
+	m = s->mid[side], C = topology_to(&s->t, next);
+	left = emit_left(s, topology_from(&s->t, side), m, C, side, last);
+	sew(s, left, emit_right(s, m, topology_to(&s->t, side), C, side, next));
+}
+
+/* Neighbours along what has been a side; the first half of one is the second of its twin. */
+static void
+sew_sides(Split *s)
+{
+	int side, twin, cut;
+
+	for (side = 0; side < 3*s->t.nf; side++) {
+		twin = s->t.twin[side];
+		cut = s->mid[side] >= 0;
+		s->twin[s->part[2*side]] = twin < 0 ? -1 : s->part[2*twin + cut];
+		if (cut)
+			s->twin[s->part[2*side+1]] = twin < 0 ? -1 : s->part[2*twin];
+	}
+}
+
+/* The loop with the new boundary vertices in it.  next[v] is the new vertex behind
+ * boundary vertex v, or -1. */
+static int
+emit_loop(const Split *s, Disk *finer)
+{
+	int *next = malloc(s->d->m.nv*sizeof *next), side, i, v;
+
+	finer->loop = malloc(2*(size_t)s->d->nb*sizeof *finer->loop);
+	if (!next || !finer->loop) {
+		free(next);
+		return MESH_ENOMEM;
+	}
+	for (side = 0; side < 3*s->t.nf; side++)
+		if (s->t.twin[side] < 0)
+			next[topology_from(&s->t, side)] = s->mid[side];
+	for (i = 0; i < s->d->nb; i++) {
+		v = s->d->loop[i];
+		finer->loop[finer->nb++] = v;
+		if (next[v] >= 0)
+			finer->loop[finer->nb++] = next[v];
+	}
+	free(next);
+	return 0;
+}
+
+static int
+build(Split *s, Disk *finer)
+{
+	int faces, f, n = number_cuts(s, &faces);
+	Mesh *m = &finer->m;
+
+	m->nv = s->d->m.nv + n;
+	m->nf = faces;
+	m->xyz = malloc(3*(size_t)m->nv*sizeof *m->xyz);
+	m->tri = s->tri = malloc(3*(size_t)m->nf*sizeof *m->tri);
+	finer->twin = s->twin = malloc(3*(size_t)m->nf*sizeof *s->twin);
+	s->part = malloc(6*(size_t)s->t.nf*sizeof *s->part);
+	if (!m->xyz || !m->tri || !s->twin || !s->part)
+		return MESH_ENOMEM;
+	memcpy(m->xyz, s->d->m.xyz, 3*(size_t)s->d->m.nv*sizeof *m->xyz);
+	place(s, m->xyz);
+	for (f = 0; f < s->t.nf; f++)
+		emit_face(s, f);
+	sew_sides(s);
+	return emit_loop(s, finer);
+}
+
+int
+refine_split(const Disk *d, const unsigned char *marked, Disk *finer)
+{
+	Split s = { .similar = !marked, .d = d, .t = { .nv = d->m.nv, .nf = d->m.nf, .tri = d->m.tri, .twin = d->twin } };
+	size_t sides = 3*(size_t)d->m.nf;
+	int e = MESH_ENOMEM;
+
+	memset(finer, 0, sizeof *finer);
+	s.mid = malloc(sides*sizeof *s.mid);
+	s.stack = malloc(sides*sizeof *s.stack);
+	if (s.mid && s.stack) {
+		memset(s.mid, -1, sides*sizeof *s.mid);
+		close_up(&s, marked);
+		e = build(&s, finer);
+	}
+	if (e)
+		disk_free(finer);
+	free(s.mid);
+	free(s.stack);
+	free(s.part);
+	return e;
+}

@@ -1,0 +1,144 @@
+/* twins.c - which side of which face lies along which other: the table of edges. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "fail.h"
+#include "topology.h"
+
+/* A side at the lower of its vertices. */
+typedef struct Side {
+	int hi, side;
+} Side;
+
+static int
+bysides(const void *a, const void *b)
+{
+	const Side *x = a, *y = b;
+
+	if (x->hi != y->hi)
+		return x->hi < y->hi ? -1 : 1;
+	return x->side < y->side ? -1 : x->side > y->side;
+}
+
+/* By hi; sides of one edge rise already.  Few meet at most vertices: insertion is faster
+ * there. */
+static void
+sort(Side *s, size_t n)
+{
+	Side x;
+	size_t i, j;
+
+	if (n > 32) {
+		qsort(s, n, sizeof *s, bysides);
+		return;
+	}
+	for (i = 1; i < n; i++) {
+		x = s[i];
+		for (j = i; j > 0 && x.hi < s[j-1].hi; j--)
+			s[j] = s[j-1];
+		s[j] = x;
+	}
+}
+
+static int
+low(const Topology *t, int side)
+{
+	const int a = topology_from(t, side), b = topology_to(t, side);
+
+	return a < b ? a : b;
+}
+
+static int
+high(const Topology *t, int side)
+{
+	return topology_from(t, side) + topology_to(t, side) - low(t, side);
+}
+
+/* Put the sides into buckets by their lower vertex: bucket v is start[v]..start[v+1]-1. */
+static void
+buckets(const Topology *t, int *start, Side *s)
+{
+	const int n = 3 * t->nf;
+	int i, v;
+
+	memset(start, 0, ((size_t)t->nv + 2) * sizeof *start);
+	for (i = 0; i < n; i++)
+		start[low(t, i) + 2]++;
+	for (v = 2; v < t->nv + 2; v++)
+		start[v] += start[v-1];
+	for (i = 0; i < n; i++) {
+		v = low(t, i);
+		s[start[v+1]++] = (Side){ high(t, i), i };
+	}
+}
+
+/* Join the sides of the edges from a vertex upwards; nedge counts them, odd becomes 1 when
+ * some go the same way.  Returns how many faces has the first edge that has more than two,
+ * hi its other end; 0 if none has. */
+static int
+pair(const Topology *t, Side *s, int n, int *nedge, int *odd, int *hi)
+{
+	int i, k;
+
+	sort(s, (size_t)n);
+	for (i = 0; i < n; i = k) {
+		for (k = i + 1; k < n && s[k].hi == s[i].hi; k++)
+			continue;
+		*hi = s[i].hi;
+		if (k - i > 2)
+			return k - i;
+		++*nedge;
+		t->twin[s[i].side] = k - i == 2 ? s[i+1].side : -1;
+		if (k - i == 1)
+			continue;
+		t->twin[s[i+1].side] = s[i].side;
+		if (topology_from(t, s[i].side) == topology_from(t, s[i+1].side))
+			*odd = 1;
+	}
+	return 0;
+}
+
+/* All edges.  Of those with too many faces one at the lowest vertex is named. */
+static int
+pair_all(Topology *t, const int *start, Side *s)
+{
+	int nedge = 0, odd = 0, bad = t->nv, v, n, hi;
+
+#pragma omp parallel for schedule(static) private(hi) \
+	reduction(+:nedge) reduction(|:odd) reduction(min:bad)
+	for (v = 0; v < t->nv; v++)
+		if (pair(t, s + start[v], start[v+1] - start[v], &nedge, &odd, &hi) && v < bad)
+			bad = v;
+	t->nedge = nedge;
+	t->odd = odd;
+	if (bad == t->nv)
+		return 0;
+	n = pair(t, s + start[bad], start[bad+1] - start[bad], &nedge, &odd, &hi);
+	return mesh_fail(t->err, MESH_EMANIFOLD, "edge %d-%d belongs to %d faces",
+	    topology_name(t, bad), topology_name(t, hi), n);
+}
+
+int
+topology_twins(Topology *t)
+{
+	const size_t n = 3 * (size_t)t->nf;
+	int *start, e = MESH_ENOMEM;
+	Side *s;
+
+	t->nedge = 0;
+	t->odd = 0;
+	t->twin = mesh_alloc(t->err, n, sizeof *t->twin);
+	start = mesh_alloc(t->err, (size_t)t->nv + 2, sizeof *start);
+	s = mesh_alloc(t->err, n, sizeof *s);
+	if (t->twin && start && s) {
+		buckets(t, start, s);
+		e = pair_all(t, start, s);
+	}
+	free(start);
+	free(s);
+	if (e) {
+		free(t->twin);
+		t->twin = NULL;
+	}
+	return e;
+}

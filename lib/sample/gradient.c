@@ -1,0 +1,252 @@
+/* gradient.c - neighbourhoods, and the limits on what is fitted there. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "polyfit.h"
+#include "../mesh/topology.h"
+#include "../base/vec3.h"
+
+enum {
+	WANT  = 15,     /* rings are added below so many points */
+	RINGS = 6,
+	FAN   = 16      /* triangles of one vertex that are followed: a hub of a million
+	                 * triangles must not cost its neighbours a million each */
+};
+
+int
+stars_init(Stars *s, const Mesh *m)
+{
+	int i, k;
+
+	s->first = calloc((size_t)m->nv + 2, sizeof *s->first);
+	s->side = malloc((3*(size_t)m->nf + 1)*sizeof *s->side);
+	if (!s->first || !s->side) {
+		stars_free(s);
+		return GRADIENT_ENOMEM;
+	}
+	for (k = 0; k < 3*m->nf; k++)
+		s->first[m->tri[k] + 2]++;
+	for (i = 0; i < m->nv; i++)
+		s->first[i + 2] += s->first[i + 1];
+	for (k = 0; k < 3*m->nf; k++)
+		s->side[s->first[m->tri[k] + 1]++] = k;
+	return 0;
+}
+
+void
+stars_free(Stars *s)
+{
+	free(s->first);
+	free(s->side);
+	s->first = s->side = NULL;
+}
+
+static void
+join(Hood *h, int v)
+{
+	unsigned k = (unsigned)v%(2*POLYFIT_MOST);
+
+	for (; h->slot[k]; k = (k + 1)%(2*POLYFIT_MOST))
+		if (h->v[h->slot[k] - 1] == v)
+			return;
+	if (h->n == POLYFIT_MOST)
+		return;
+	h->v[h->n++] = v;
+	h->slot[k] = h->n;
+}
+
+/* The neighbours of vertex i, or some of a hub's.  Where its triangles close round it every one
+ * begins a side opposite to i as well as ending one; where they do not, the ends of those sides
+ * leave a remainder when the beginnings are taken off. */
+static void
+join_neighbours(const Mesh *m, const Stars *s, Hood *h, int i)
+{
+	int last = s->first[i + 1], step = 1 + (last - s->first[i] - 1)/FAN, l, side;
+	unsigned open = 0;
+
+	for (l = s->first[i]; l < last; l += step) {
+		side = topology_next(s->side[l]);
+		join(h, m->tri[side]);
+		open += (unsigned)m->tri[side] - (unsigned)m->tri[topology_next(side)];
+	}
+	for (l = s->first[i]; l < last && (open || step > 1); l += step)
+		join(h, m->tri[topology_next(topology_next(s->side[l]))]);
+}
+
+static void
+grow(const Mesh *m, const Stars *s, Hood *h)
+{
+	int end = h->n, k;
+
+	for (k = h->ring; k < end; k++)
+		join_neighbours(m, s, h, h->v[k]);
+	h->ring = end;
+}
+
+/* The square of the longest side. */
+static double
+longest2(const Mesh *m, const int *tri)
+{
+	double d[3], l, most = 0;
+	int k;
+
+	for (k = 0; k < 3; k++) {
+		sub3(&m->xyz[3*tri[k]], &m->xyz[3*tri[(k+1)%3]], d);
+		l = dot3(d, d);
+		most = l > most ? l : most;
+	}
+	return most;
+}
+
+/* Along the side i j: the step d in R^3, what phi' misses of it, and phi''/8. */
+static void
+along(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j,
+	double d[3], double first[3], double second[3])
+{
+	double du = u[j] - u[i], dv = v[j] - v[i];
+	int c;
+
+	sub3(&m->xyz[3*j], &m->xyz[3*i], d);
+	for (c = 0; c < 3; c++) {
+		first[c] = jet->u[c]*du + jet->v[c]*dv - d[c];
+		second[c] = (jet->uu[c]*du*du + 2*jet->uv[c]*du*dv + jet->vv[c]*dv*dv)/8;
+	}
+}
+
+/* By how much the jet at i may be scaled to keep the limits along the side i j of a
+ * triangle with longest side L, L2 its square: 1 if it keeps them as it is.
+ * |s phi'(e) - d| is at most s |phi'(e) - d| + (1 - s) |d|. */
+static double
+room(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j, double L2)
+{
+	double d[3], first[3], second[3], bend, turn, L, s = 1;
+
+	along(m, u, v, jet, i, j, d, first, second);
+	bend = dot3(first, first);
+	turn = dot3(second, second);
+	if (bend <= GRADIENT_BEND*GRADIENT_BEND*L2 && turn <= GRADIENT_BEND*GRADIENT_BEND*L2)
+		return 1;
+	L = sqrt(L2);
+	bend = norm3(first);
+	turn = norm3(second);
+	if (!isfinite(bend) || !isfinite(turn))
+		return 0;
+	if (!(bend <= GRADIENT_BEND*L))
+		s = (GRADIENT_BEND*L - norm3(d))/(bend - norm3(d));
+	if (!(turn <= GRADIENT_BEND*L))
+		s = fmin(s, GRADIENT_BEND*L/turn);
+	return fmax(s, 0);
+}
+
+/* Does the jet at v[0] keep the limits with every side to the vertices v[1], .. in place
+ * of longer ones?  That is nearly always so. */
+static int
+keeps(const Mesh *m, const double *u, const double *v, const Jet *jet, const int *ring, int n)
+{
+	double d[3], first[3], second[3], L2;
+	int k;
+
+	for (k = 1; k < n; k++) {
+		along(m, u, v, jet, ring[0], ring[k], d, first, second);
+		L2 = GRADIENT_BEND*GRADIENT_BEND*dot3(d, d);
+		if (!(dot3(first, first) <= L2 && dot3(second, second) <= L2))
+			return 0;
+	}
+	return 1;
+}
+
+static double
+least_room(const Mesh *m, const Stars *s, const double *u, const double *v, const Jet *jet, int i)
+{
+	double least = 1, L2;
+	int l, k;
+
+	for (l = s->first[i]; l < s->first[i + 1]; l++) {
+		const int *tri = &m->tri[s->side[l]/3*3];
+
+		L2 = longest2(m, tri);
+		for (k = 0; k < 3; k++)
+			if (tri[k] != i)
+				least = fmin(least, room(m, u, v, jet, i, tri[k], L2));
+	}
+	return least;
+}
+
+static void
+scale(Jet *jet, double s)
+{
+	int c;
+
+	if (!(s > 0))
+		memset(jet, 0, sizeof *jet);
+	for (c = 0; c < 3; c++) {
+		jet->u[c] *= s, jet->v[c] *= s;
+		jet->uu[c] *= s, jet->uv[c] *= s, jet->vv[c] *= s;
+	}
+}
+
+/* The jet at vertex i.  Returns 1 when a term is missing, 2 when it was limited, or the
+ * sum. */
+static int
+vertex(const Mesh *m, const Stars *s, const double *u, const double *v, int i, Jet *jet)
+{
+	Hood h = { 0 };
+	double most = 0;
+	int ring, degree, near = 0;      /* members of the first ring */
+	Polyfit f;
+
+	join(&h, i);
+	for (f.rank = 0, ring = 1; ring <= RINGS && f.rank < POLYFIT_TERMS; ring++) {
+		grow(m, s, &h);
+		if (ring == 1)
+			near = h.n;
+		if (ring < 2 || (h.n <= WANT && ring < RINGS))
+			continue;
+		polyfit(&f, &h, m, u, v);
+	}
+	for (degree = 3; degree > 0; degree--) {
+		polyfit_jet(&f, degree, jet);
+		most = s->first[i+1] - s->first[i] <= FAN && keeps(m, u, v, jet, h.v, near) ? 1
+		    : least_room(m, s, u, v, jet, i);
+		if (most >= 1)
+			break;
+	}
+	if (most < 1)
+		scale(jet, most);
+	return (f.rank < POLYFIT_TERMS) + 2*(degree < 3);
+}
+
+void
+gradient_some(const Stars *s, const Mesh *m, const double *u, const double *v, unsigned char *want,
+	Jet *jet)
+{
+	int i;
+
+#pragma omp parallel for schedule(dynamic, 256)
+	for (i = 0; i < m->nv; i++)
+		if (want[i] == GRADIENT_WANTED) {
+			vertex(m, s, u, v, i, &jet[i]);
+			want[i] = GRADIENT_KNOWN;
+		}
+}
+
+int
+gradient_fit(const Mesh *m, const double *u, const double *v, Jet *jet, GradientReport *report)
+{
+	int i, low = 0, limited = 0;
+	Stars s;
+
+	if (stars_init(&s, m))
+		return GRADIENT_ENOMEM;
+#pragma omp parallel for schedule(dynamic, 256) reduction(+:low, limited)
+	for (i = 0; i < m->nv; i++) {
+		int said = vertex(m, &s, u, v, i, &jet[i]);
+
+		low += said & 1;
+		limited += said >> 1;
+	}
+	if (report)
+		*report = (GradientReport){ low, limited };
+	stars_free(&s);
+	return 0;
+}

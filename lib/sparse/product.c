@@ -1,0 +1,108 @@
+/* product.c - two inner loops, cut to the registers there are.
+ *
+ * The C of a compiler's vectors, not a BLAS: most products of a sparse factor are of
+ * a few columns, where calling one takes longer than the product does; OpenBLAS 0.3.21
+ * takes processors younger than itself for ones of 2004; and its threads wait by spinning.
+ */
+#include "../base/cpu.h"
+#include "product.h"
+
+#define VECTOR_OF(lanes) __attribute__((vector_size(8*(lanes)), aligned(8), may_alias))
+
+typedef double Two VECTOR_OF(2);
+typedef double Four VECTOR_OF(4);
+typedef double Eight VECTOR_OF(8);
+
+#define VECTOR Two
+#define TILE   tile_128
+#include "tile.h"
+
+#define VECTOR Four
+#define TILE   tile_256
+#include "tile.h"
+
+#define VECTOR Eight
+#define TILE   tile_512
+#include "tile.h"
+
+INLINE void
+quotient(int columns, const double *L, double *x)
+{
+	Eight *column = (Eight *)x;
+	int j, k;
+
+	for (k = 0; k < columns; k++, L += PRODUCT_ROWS) {
+		column[k] *= 1/L[k];
+		for (j = k + 1; j < columns; j++)
+			column[j] -= L[j]*column[k];
+	}
+}
+
+/* Sixteen registers, most processors: eight sums are on their way at once. */
+static void
+product_128(int columns, int n, const double *a, const double *b, double *c)
+{
+	const double *const rows[4] = { a, a + 2, a + 4, a + 6 };
+	double *const to[4] = { c, c + 2, c + 4, c + 6 };
+
+	tile_128(4, 2, columns, n, rows, b, to);
+}
+
+TARGET("avx2,fma") static void
+product_256(int columns, int n, const double *a, const double *b, double *c)
+{
+	const double *const rows[2] = { a, a + 4 };
+	double *const to[2] = { c, c + 4 };
+
+	tile_256(2, 4, columns, n, rows, b, to);
+}
+
+/* Thirty-two registers. */
+TARGET("avx512f") static void
+product_512(int blocks, int columns, int n, const double *const a[], const double *b,
+	double *const c[])
+{
+	if (blocks == 2)
+		tile_512(2, PRODUCT_ROWS, columns, n, a, b, c);
+	else
+		tile_512(1, PRODUCT_ROWS, columns, n, a, b, c);
+}
+
+TARGET("avx2,fma") static void
+quotient_256(int columns, const double *L, double *x)
+{
+	quotient(columns, L, x);
+}
+
+TARGET("avx512f") static void
+quotient_512(int columns, const double *L, double *x)
+{
+	quotient(columns, L, x);
+}
+
+void
+product_subtract(int blocks, int columns, int n, const double *const a[], const double *b,
+	double *const c[])
+{
+	int i, j, wide = HAS("avx2") && HAS("fma"), width = wide ? 4 : 2;
+
+	if (HAS("avx512f")) {
+		product_512(blocks, columns, n, a, b, c);
+		return;
+	}
+	for (i = 0; i < blocks; i++)
+		for (j = 0; j < columns; j += width)
+			(wide ? product_256 : product_128)(columns - j, n, a[i], b + j,
+			    c[i] + PRODUCT_ROWS*j);
+}
+
+void
+product_divide(int columns, const double *L, double *x)
+{
+	if (HAS("avx512f"))
+		quotient_512(columns, L, x);
+	else if (HAS("avx2") && HAS("fma"))
+		quotient_256(columns, L, x);
+	else
+		quotient(columns, L, x);
+}

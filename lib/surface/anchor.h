@@ -1,0 +1,28 @@
+/* anchor.h - where a surface without a place is put: nodes of which positions are known. */
+#ifndef ANCHOR_H
+#define ANCHOR_H
+
+#include <stddef.h>
+
+#include "../base/chart.h"
+
+enum {
+	ANCHOR_ENOMEM = -1,
+	ANCHOR_EVALUE = -2      /* positions that are not finite, or too large to be squared */
+};
+
+typedef struct Anchor {
+	size_t  n, *node;
+	double *at;             /* [n][3] */
+} Anchor;
+
+/* The border nodes of phi [3][nv][nu], or all.  Returns 0 or ANCHOR_ENOMEM; a then holds
+ * nothing to free. */
+int  anchor_init(Anchor *a, Chart g, int border, const double *phi);
+void anchor_free(Anchor *a);
+
+/* The rigid motion of phi that brings its nodes nearest to the anchor's (procrustes.h).
+ * Returns 0, ANCHOR_ENOMEM or ANCHOR_EVALUE. */
+int anchor_place(const Anchor *a, Chart g, double *phi);
+
+#endif

@@ -1,0 +1,283 @@
+/* fit.c - Gauss-Newton steps in a trust region. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/field.h"
+#include "fit.h"
+
+static const double BLUNT_W = 30, BLUNT_ALPHA = 1, SHARP_W = 100, SHARP_ALPHA = 0.1;
+static const double TENSION = 3;        /* of the plate in w^2: what took the fewest steps */
+enum { MOST_CG = 60, TEN = 10 };
+/* With a free boundary surfaces bend easily and far.  Few steps of CG until the last Gauss-Newton
+ * step was short and did what it had foretold, as more are spent on bending that the next one
+ * undoes; then as many as it takes. */
+enum { MOST_CG_FREE = 20, MOST_CG_NEAR = 400 };
+static const double NEAR = 0.9, NEARBY = 1e-4, WORTH_NEAR = 1e-6;
+static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a Gauss-Newton step */
+static const double FLAT = 1e-6;        /* share of E not worth another step */
+/* E over the last one: below, it falls fast, steeply; above, hardly */
+static const double FAST = 0.1, STEEP = 0.5, STILL = 0.98;
+static const double SURE = 0.1;         /* share of the tolerance that is short whatever E does */
+static const double POOR = 0.25;        /* share of the fall foretold: below, the way is shortened */
+enum { SHORTER = 3 };           /* times */
+static const double CREEP = 5e-4;       /* share of E that ten steps must take */
+static const double WORTH = 1e-3;       /* least share of the decrease a CG step must add */
+
+typedef struct Work {
+	Misfit *m;
+	Plate   plate;
+	size_t  n;                      /* numbers in a vector */
+	double *r, *z, *p, *q, *d, *y;  /* residual, preconditioned, direction, J'J p; step, trial */
+	double  radius;                 /* of the trust region, in the norm of the plate */
+	int     near;                   /* the last step was short, whole and as foretold */
+	long    solves;
+} Work;
+
+static void
+release(Work *k)
+{
+	plate_free(&k->plate);
+	free(k->r);
+	free(k->z);
+	free(k->p);
+	free(k->q);
+	free(k->d);
+	free(k->y);
+}
+
+static int
+prepare(Work *k, Misfit *m)
+{
+	*k = (Work){ .m = m, .n = 3*(size_t)m->g.nu*m->g.nv, .radius = HUGE_VAL };
+	k->r = malloc(k->n*sizeof(double));
+	k->z = malloc(k->n*sizeof(double));
+	k->p = malloc(k->n*sizeof(double));
+	k->q = malloc(k->n*sizeof(double));
+	k->d = malloc(k->n*sizeof(double));
+	k->y = malloc(k->n*sizeof(double));
+	if (!k->r || !k->z || !k->p || !k->q || !k->d || !k->y || plate_init(&k->plate, m->g, m->free)) {
+		release(k);
+		return FIT_ENOMEM;
+	}
+	return 0;
+}
+
+/* z = P^-1 r */
+static void
+precondition(Work *k)
+{
+	double w = k->m->w;
+
+	field_scale(k->n, 1, k->r, k->z);
+	plate_solve(&k->plate, k->m->scale, TENSION*w*w*k->m->scale, k->z);
+	k->solves++;
+}
+
+/* The largest t with |d + t p| = radius, from the inner products in the norm of the plate. */
+static double
+to_the_border(double dd, double dp, double pp, double radius)
+{
+	return (-dp + sqrt(dp*dp + pp*(radius*radius - dd)))/pp;
+}
+
+/* d from the gradient in -r; what E should fall by, the length of d, and whether no steps were
+ * left. */
+static double
+conjugate_gradients(Work *k, const double *phi, double *length, int *spent)
+{
+	double rz, stop, dd = 0, dp = 0, pp, fall = 0, old, t;
+	int steps, out, most = !k->m->free ? MOST_CG : k->near ? MOST_CG_NEAR : MOST_CG_FREE;
+	double worth = k->m->free && k->near ? WORTH_NEAR : WORTH;
+
+	memset(k->d, 0, k->n*sizeof *k->d);
+	precondition(k);
+	field_scale(k->n, 1, k->z, k->p);
+	pp = rz = field_dot(k->n, k->r, k->z);
+	stop = REDUCTION*REDUCTION*rz;
+	for (steps = 0; rz > stop && steps < most; steps++) {
+		misfit_normal(k->m, phi, k->p, k->q);
+		t = rz/field_dot(k->n, k->p, k->q);
+		out = !(dd + 2*t*dp + t*t*pp < k->radius*k->radius);
+		if (out) {
+			double s = to_the_border(dd, dp, pp, k->radius);
+
+			fall += 2*s*rz - s*s*rz/t;
+			t = s;
+		} else
+			fall += t*rz;
+		field_add(k->n, t, k->p, k->d);
+		dd += 2*t*dp + t*t*pp;
+		if (out || t*rz < worth*fall)
+			break;
+		field_add(k->n, -t, k->q, k->r);
+		precondition(k);
+		old = rz;
+		rz = field_dot(k->n, k->r, k->z);
+		dp = rz/old*(dp + t*pp);
+		pp = rz + rz/old*(rz/old)*pp;
+		field_turn(k->n, k->z, rz/old, k->p);
+	}
+	*spent = steps == most;
+	*length = sqrt(dd);
+	return fall;
+}
+
+/* What came of a step. */
+typedef struct Outcome {
+	double change;          /* root mean square of the way over sqrt(area) */
+	double fall;            /* of E, foretold */
+	int    taken;           /* phi is changed */
+	int    cut;             /* it was made shorter: by the trust region, or as E rises beyond */
+	int    spent;           /* CG had no steps left */
+} Outcome;
+
+/* E at phi + t d, which is left in y. */
+static double
+trial(Work *k, const double *phi, double t)
+{
+	field_scale(k->n, 1, phi, k->y);
+	field_add(k->n, t, k->d, k->y);
+	return misfit_energy(k->m, k->y);
+}
+
+/* How far to go along d, and E there: all the way if that takes off at least a quarter of what
+ * was foretold, else to the lowest point of the parabola through E here and there with its
+ * slope here, -2 <b,d>, once or a few times.  *fall is what is foretold for that way.  Folds
+ * make E rise soon: to find this out by new steps of CG costs ten times as much. */
+static double
+way_along(Work *k, const double *phi, double E, double bd, double *fall, double *E2)
+{
+	double t = 1, whole = *fall, lowest;
+	int tries;
+
+	*E2 = trial(k, phi, t);
+	for (tries = 0; tries < SHORTER && !(E - *E2 > POOR*(*fall)); tries++) {
+		lowest = isfinite(*E2) ? bd*t*t/(2*bd*t + *E2 - E) : 0;
+		t = lowest > 0.5*t ? 0.5*t : lowest > 0.1*t ? lowest : 0.1*t;
+		*fall = 2*bd*t - (2*bd - whole)*t*t;
+		*E2 = trial(k, phi, t);
+	}
+	return t;
+}
+
+/* One step from phi, with energy *E. */
+static Outcome
+step(Work *k, double *phi, double *E)
+{
+	double length, bd, t, E2, gain;
+	Outcome is;
+
+	misfit_gradient(k->m, phi, k->r);
+	field_scale(k->n, -1, k->r, k->r);
+	field_scale(k->n, 1, k->r, k->y);
+	is.fall = conjugate_gradients(k, phi, &length, &is.spent);
+	bd = field_dot(k->n, k->y, k->d);
+	is.cut = length > 0.99*k->radius;
+	t = way_along(k, phi, *E, bd, &is.fall, &E2);
+	is.change = t*sqrt(field_dot(k->n, k->d, k->d)/(k->n/3.0)*k->m->scale/k->m->g.T);
+	gain = (*E - E2)/is.fall;
+	is.taken = gain > 0.01;
+	if (t < 1) {
+		is.cut = 1;
+		k->radius = length*fmax(t, POOR);
+	} else if (gain > 0.75 && is.cut)
+		k->radius *= 2;
+	k->near = gain > NEAR && !is.cut && is.change < NEARBY;
+	if (is.taken) {
+		field_scale(k->n, 1, k->y, phi);
+		*E = E2;
+	}
+	return is;
+}
+
+/* How much of sharpening the data bear: nothing where the scale is off by 16 %, all below 8 %:
+ * 0.05-3 % for surfaces, 7 % for whole hemispheres of the cortex, 8-13 % when a filter took a
+ * little from them, 20 % when it took all but the coarse shape.  In eighths, so that where the
+ * steps came from leaves no trace. */
+static double
+sharpness(const Misfit *m, const double *phi)
+{
+	double share = round(16*(1 - misfit_scale_error(m, phi)/0.16))/8;
+
+	return share > 1 ? 1 : share < 0 ? 0 : share;
+}
+
+static void
+set_weights(Misfit *m, double share)
+{
+	m->w = BLUNT_W*pow(SHARP_W/BLUNT_W, share);
+	m->alpha = BLUNT_ALPHA*pow(SHARP_ALPHA/BLUNT_ALPHA, share);
+}
+
+/* Where the last ten steps began. */
+typedef struct Past {
+	double E[TEN], way[TEN];        /* the changes of all steps before, summed */
+	int    steps;
+} Past;
+
+static void
+remember(Past *past, double E, double way)
+{
+	past->E[past->steps%TEN] = E;
+	past->way[past->steps++%TEN] = way;
+}
+
+/* A step that was cut short shows nothing, unless the last ten together took hardly anything
+ * off E or went nowhere: what belongs to no surface can creep.  Nor does one that is
+ * but just short enough while E still falls fast, or, where CG had no time to find the slow part
+ * of it, at all. */
+static int
+converged(const FitOptions *o, const Outcome *is, double E, double way, const Past *past)
+{
+	int then = past->steps%TEN, last = (past->steps - 1)%TEN;
+	double flat = is->spent ? STILL : FAST;
+
+	if (past->steps >= TEN
+	    && (past->E[then] - E < CREEP*past->E[then] || way - past->way[then] < o->tolerance))
+		return 1;
+	if (is->cut)
+		return 0;
+	return is->change < (E > flat*past->E[last] ? 1 : SURE)*o->tolerance || is->fall <= FLAT*E;
+}
+
+int
+fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
+{
+	double E, share, way = 0;
+	Past past = { .steps = 0 };
+	int blunt, flat, done = 0;
+	Outcome is;
+	Work k;
+
+	if (prepare(&k, m))
+		return FIT_ENOMEM;
+	blunt = o->sharpen && sharpness(m, phi) < 1;
+	set_weights(m, o->sharpen && !blunt);
+	at->nu = m->g.nu, at->nv = m->g.nv, at->step = 0;
+	at->energy = E = misfit_energy(m, phi);
+	while (!done && at->step < o->most && isfinite(E)) {
+		remember(&past, E, way);
+		is = step(&k, phi, &E);
+		way += is.change;
+		at->step++;
+		at->energy = E;
+		at->change = is.change;
+		at->solves = k.solves;
+		if (o->report)
+			o->report(o->ctx, at);
+		done = converged(o, &is, E, way, &past);
+		flat = done || E > STEEP*past.E[(past.steps - 1)%TEN];
+		share = blunt && is.taken ? sharpness(m, phi) : 0;
+		if (blunt && is.taken && (flat || share == 1)) {
+			set_weights(m, share);
+			E = misfit_energy(m, phi);
+			k.radius = HUGE_VAL;
+			past.steps = 0;
+			blunt = done = 0;
+		}
+	}
+	at->worst = done ? 0 : misfit_worst(m, phi);
+	release(&k);
+	return done;
+}

@@ -1,0 +1,47 @@
+/* frame.h - the surface of a given lambda and H, by the paper's frame method.
+ *
+ * Three linear least squares one after the other, all on cell centres:
+ *
+ *   Codazzi     D_u + M_v = lambda^2 H_u,  D_v - M_u = -lambda^2 H_v   for D = (L-N)/2, M
+ *   frame       (p, q, n) = (phi_u, phi_v, n) from the natural frame equations, which are
+ *               the same for x, y and z: one matrix, three right-hand sides
+ *   position    phi_u = p, phi_v = q
+ *
+ * Between the last two, p and q are made orthogonal and of length lambda: the linear
+ * system does not know that, and where H is large it shrinks the frame (the area of
+ * "mkmesh -n 60000 cortex" at 129 x 129: 139; without this step 105, with it 133).
+ *
+ * phi is given on the three outer rings (the neighbourhood V of Theorem 1): from it come
+ * the frame and the second fundamental form on the outer two.  DESIGN sections 2 and 6.
+ */
+#ifndef FRAME_H
+#define FRAME_H
+
+#include "../base/chart.h"
+#include "../sparse/spd.h"
+
+enum { FRAME_BAND = 3 };        /* rings of phi that are given */
+
+enum { FRAME_EBAND = -10 };     /* the band has no tangent plane at node *at */
+
+/* lambda, H  in      [nv][nu]; lambda > 0
+ * phi        in/out  x, y, z, each [nv][nu]: the band is given, the rest computed
+ *
+ * Grids of fewer than 7 nodes in a direction are all band and stay as they are.
+ * Returns 0, FRAME_EBAND, SPD_ENOMEM, SPD_EINDEFINITE or SPD_ELARGE; phi is then
+ * unspecified.  report may be NULL. */
+int frame_surface(Chart g, const double *lambda, const double *H, double *const phi[3],
+	int *at, SpdReport *report);
+
+/* The same on a coarser grid g, whose border has the positions of the boundary curve and, to
+ * first order in the steps, the frame and second form that the band of the fine grid has
+ * beside them: a start for the surface method (surface.h).  *at is a node of the fine
+ * grid.  Returns as frame_surface. */
+int frame_coarse(Chart fine, double *const band[3], Chart g, const double *lambda, const double *H,
+	double *const phi[3], int *at, SpdReport *report);
+
+/* p and q made the nearest pair that is orthogonal and of length lambda, in the least
+ * squares sense; a pair that is parallel or 0 stays as it is. */
+void frame_make_conformal(double lambda, double p[3], double q[3]);
+
+#endif

@@ -1,0 +1,23 @@
+/* misfitweight.c - the weight of a node in the energy. */
+#include "misfitborder.h"
+
+static const double LEAST = 1e-4;       /* lambda^2 over its mean below which a node says nothing */
+
+double
+misfit_step2(Chart g)
+{
+	double h = chart_h(g), k = chart_k(g);
+
+	return (h*h + k*k)/2;
+}
+
+double
+misfit_weight(const Misfit *m, size_t p, double gradient2)
+{
+	double l2 = m->lambda2[p], l2H = m->l2H2[p]/2;
+	double q2 = misfit_step2(m->g)*(l2H*l2H/l2 + 4*gradient2);
+
+	if (l2*m->scale < LEAST)
+		return m->residue ? l2*m->scale/LEAST/(1 + 4*q2) : 0;
+	return 1/(1 + 4*q2);
+}

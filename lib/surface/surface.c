@@ -1,0 +1,288 @@
+/* surface.c - from coarse grids to fine ones. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "anchor.h"
+#include "frame.h"
+#include "../grid/resample.h"
+#include "surface.h"
+
+enum { COARSEST = 65*65 };      /* nodes at least */
+static const double SQUARE = 1.5;       /* sides of a cell that is coarsened both ways */
+static const double ENOUGH = 1e-4;      /* change at which a coarse grid has served, */
+enum { ROUGH = 12 };            /* or steps */
+static const double WHOLE[2] = { 1, 1 };
+
+typedef struct Level {
+	Chart   g;
+	double *lambda2, *l2H;
+	double *phi;            /* [3] fields */
+} Level;
+
+static size_t
+nodes(Chart g)
+{
+	return (size_t)g.nu*g.nv;
+}
+
+/* Half as many steps in both directions, or in the one whose steps are clearly the shorter. */
+static Chart
+coarser(Chart g)
+{
+	double h = chart_h(g), k = chart_k(g);
+	Chart c = g;
+
+	if (h < SQUARE*k)
+		c.nu = g.nu/2 + 1;
+	if (k < SQUARE*h)
+		c.nv = g.nv/2 + 1;
+	return c;
+}
+
+static int
+has_coarser(Chart g)
+{
+	return nodes(coarser(g)) >= COARSEST;
+}
+
+static void
+level_free(Level *l)
+{
+	free(l->lambda2);
+	free(l->l2H);
+	free(l->phi);
+}
+
+/* Nodes of phi from another grid, times a factor; so many rings stay. */
+static int
+fill(Chart from, const double end[2], const double *f, double factor, Chart g, int rings, double *phi)
+{
+	double *t = malloc(nodes(g)*sizeof *t);
+	int c, i, j, e = t ? 0 : SURFACE_ENOMEM;
+
+	for (c = 0; !e && c < 3; c++) {
+		e = resample_cubic(from, end, f + c*nodes(from), g, t);
+		for (j = rings; !e && j < g.nv - rings; j++)
+			for (i = rings; i < g.nu - rings; i++)
+				phi[c*nodes(g) + (size_t)j*g.nu + i] = t[(size_t)j*g.nu + i]*factor;
+	}
+	free(t);
+	return e;
+}
+
+/* The level below f, with the boundary curve in its phi. */
+static int
+coarsen(const Level *f, Level *l)
+{
+	int c, e = SURFACE_ENOMEM;
+
+	l->g = coarser(f->g);
+	l->lambda2 = malloc(nodes(l->g)*sizeof(double));
+	l->l2H = malloc(nodes(l->g)*sizeof(double));
+	l->phi = malloc(3*nodes(l->g)*sizeof(double));
+	if (l->lambda2 && l->l2H && l->phi)
+		e = resample_mean(f->g, f->lambda2, l->g, l->lambda2);
+	if (!e)
+		e = resample_mean(f->g, f->l2H, l->g, l->l2H);
+	for (c = 0; !e && c < 3; c++)
+		e = resample_cubic(f->g, WHOLE, f->phi + c*nodes(f->g), l->g, l->phi + c*nodes(l->g));
+	return e;
+}
+
+static int
+fit_level(const Level *l, const Residue *residue, int free, const FitOptions *o, FitProgress *at)
+{
+	Misfit m;
+	int r;
+
+	if (misfit_init(&m, l->g, l->lambda2, l->l2H, residue))
+		return SURFACE_ENOMEM;
+	if (free)
+		misfit_set_free(&m);
+	at->cost *= nodes((Chart){ at->nu, at->nv, 1 })/(double)nodes(l->g);
+	r = fit(&m, o, l->phi, at);
+	at->cost += at->solves;
+	misfit_free(&m);
+	return r;
+}
+
+/* On the finest grid, whose phi is what the coarse ones make of it. */
+static int
+fit_finest(const Surface *s, double unit, const Level *l, const FitOptions *o, FitProgress *at)
+{
+	size_t n = 3*nodes(l->g), p;
+	int r;
+
+	if (s->detail)
+		memcpy(s->detail, l->phi, n*sizeof *s->detail);
+	for (p = 0; s->forecast && p < n; p++)
+		l->phi[p] += s->forecast[p]/unit;
+	r = fit_level(l, s->residue, s->free, o, at);
+	for (p = 0; s->detail && p < n; p++)
+		s->detail[p] = (l->phi[p] - s->detail[p])*unit;
+	return r;
+}
+
+/* The start of the coarsest level where no lattice says it: the frame method, with the
+ * band of the finest. */
+static int
+start_from_frame(const Surface *s, const Level *l, double *finest)
+{
+	double *lambda = malloc(nodes(l->g)*sizeof *lambda), *H = malloc(nodes(l->g)*sizeof *H);
+	double *fine[3], *phi[3];
+	int c, at, e = SPD_ENOMEM;
+	size_t p;
+
+	for (c = 0; c < 3; c++) {
+		fine[c] = finest + c*nodes(s->g);
+		phi[c] = l->phi + c*nodes(l->g);
+	}
+	for (p = 0; lambda && H && p < nodes(l->g); p++) {
+		lambda[p] = sqrt(l->lambda2[p]);
+		H[p] = l->l2H[p]/l->lambda2[p];
+	}
+	if (lambda && H)
+		e = l->phi == finest ? frame_surface(l->g, lambda, H, phi, &at, NULL)
+		    : frame_coarse(s->g, fine, l->g, lambda, H, phi, &at, NULL);
+	free(lambda);
+	free(H);
+	return e == SPD_ENOMEM ? SURFACE_ENOMEM : e ? SURFACE_ESTART : 0;
+}
+
+/* Whether the start has as many nodes as g. */
+static int
+resolves(const Surface *s, Chart g)
+{
+	return s->start && s->start_chart.nu >= g.nu && s->start_chart.nv >= g.nv;
+}
+
+/* Finds phi of level l, whose border is given if it is held, from that of the level below it. */
+static int
+descend(const Surface *s, double unit, const Level *l, const FitOptions *o, double *finest,
+	FitProgress *at)
+{
+	FitOptions way = *o;
+	Level below = { .phi = NULL };
+	int r, rings = s->free ? 0 : 1;
+
+	if (has_coarser(l->g) && !resolves(s, l->g)) {
+		r = coarsen(l, &below);
+		if (!r)
+			r = descend(s, unit, &below, o, finest, at);
+		if (r >= 0)
+			r = fill(below.g, WHOLE, below.phi, 1, l->g, rings, l->phi);
+		level_free(&below);
+	} else if (s->start)
+		r = fill(s->start_chart, s->start_end, s->start, 1/unit, l->g, rings, l->phi);
+	else
+		r = start_from_frame(s, l, finest);
+	if (r < 0)
+		return r;
+	if (l->phi == finest)
+		return fit_finest(s, unit, l, o, at);
+	way.tolerance = o->tolerance > ENOUGH ? o->tolerance : ENOUGH;
+	way.most = ROUGH;
+	way.sharpen = 0;
+	return fit_level(l, NULL, s->free, &way, at);
+}
+
+/* Coarsening takes 0 times what lies inside, which must not be what is not a number. */
+static void
+clear_inside(Chart g, int rings, double *phi)
+{
+	int c, i, j;
+
+	for (c = 0; c < 3; c++)
+		for (j = rings; j < g.nv - rings; j++)
+			for (i = rings; i < g.nu - rings; i++)
+				phi[c*nodes(g) + (size_t)j*g.nu + i] = 0;
+}
+
+/* The power of two below the mean of lambda: in this unit squares and products are finite. */
+static double
+unit_of(size_t n, const double *lambda)
+{
+	double mean = 0;
+	size_t p;
+
+	for (p = 0; p < n; p++)
+		mean += lambda[p]/n;
+	return ldexp(1, ilogb(fmax(mean, 1e-300)));
+}
+
+static void
+scale(size_t n, double factor, double *phi)
+{
+	size_t p;
+
+	for (p = 0; p < n; p++)
+		phi[p] *= factor;
+}
+
+/* What the surface is to be placed by. */
+static int
+target(const Surface *s, double unit, const double *phi, Anchor *a)
+{
+	double *t;
+	int e;
+
+	if (!s->adrift)
+		return anchor_init(a, s->g, 1, phi);
+	t = malloc(3*nodes(s->g)*sizeof *t);
+	e = t ? fill(s->start_chart, s->start_end, s->start, 1/unit, s->g, 0, t) : SURFACE_ENOMEM;
+	if (!e)
+		e = anchor_init(a, s->g, 0, t);
+	free(t);
+	return e;
+}
+
+/* All of it where the boundary is free: a start is found, as if the boundary were held, moved
+ * freely, and put into its place. */
+static int
+descend_free(const Surface *s, double unit, const Level *finest, const FitOptions *o, FitProgress *at)
+{
+	Anchor a = { .n = 0 };
+	int r = 0, e = 0;
+
+	if (!s->adrift)
+		e = target(s, unit, finest->phi, &a);
+	clear_inside(s->g, s->start ? 0 : FRAME_BAND, finest->phi);
+	if (!e)
+		r = descend(s, unit, finest, o, finest->phi, at);
+	if (!e && r > 0 && s->adrift)
+		e = target(s, unit, NULL, &a);
+	if (!e && r > 0)
+		e = anchor_place(&a, s->g, finest->phi);
+	anchor_free(&a);
+	return e == ANCHOR_EVALUE ? SURFACE_EPLACE : e ? SURFACE_ENOMEM : r;
+}
+
+int
+surface(const Surface *s, const FitOptions *o, double *phi, FitProgress *at)
+{
+	size_t n = nodes(s->g), p;
+	Level finest = { s->g, malloc(n*sizeof(double)), malloc(n*sizeof(double)), phi };
+	double unit = unit_of(n, s->lambda);
+	int r = SURFACE_ENOMEM;
+
+	*at = (FitProgress){ .nu = s->g.nu, .nv = s->g.nv };
+	if (s->g.nu < 3 || s->g.nv < 3) {
+		for (p = 0; s->detail && p < 3*n; p++)
+			s->detail[p] = 0;
+		r = 1;
+	} else if (finest.lambda2 && finest.l2H) {
+		for (p = 0; p < n; p++) {
+			finest.lambda2[p] = s->lambda[p]/unit*(s->lambda[p]/unit);
+			finest.l2H[p] = finest.lambda2[p]*(s->H[p]*unit);
+		}
+		if (!s->free)
+			clear_inside(s->g, s->start ? 1 : FRAME_BAND, phi);
+		scale(3*n, 1/unit, phi);
+		r = s->free ? descend_free(s, unit, &finest, o, at) : descend(s, unit, &finest, o, phi, at);
+		scale(3*n, unit, phi);
+	}
+	free(finest.lambda2);
+	free(finest.l2H);
+	return r;
+}
