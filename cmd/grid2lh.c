@@ -4,6 +4,7 @@
 
 #include "../lib/grid/lambdah.h"
 #include "../lib/base/stats.h"
+#include "shared/chartof.h"
 #include "shared/cmd.h"
 #include "shared/range.h"
 
@@ -91,7 +92,7 @@ static void
 convert(const CmdInput *in, Lhg *g, int curvature, int lattice, int residual)
 {
 	const char *const name[3] = { "x", "y", "z" };
-	Chart chart = { g->nu, g->nv, g->T };
+	Chart chart = chart_of(g);
 	const double *phi[3];
 	double *lambda, *H;
 	int c, raised;

@@ -4,6 +4,7 @@
 
 #include "../lib/surface/frame.h"
 #include "shared/claim.h"
+#include "shared/chartof.h"
 #include "shared/cmd.h"
 #include "lh2grid/follow.h"
 #include "lh2grid/keyframes.h"
@@ -132,7 +133,7 @@ static double *
 convert(const CmdInput *in, Lhg *g, int method, const SurfaceFit *o)
 {
 	const double *lambda = cmd_need(in, g, "lambda", LHG_GRID), *H = cmd_need(in, g, "H", LHG_GRID);
-	Chart chart = { g->nu, g->nv, g->T };
+	Chart chart = chart_of(g);
 	double *phi;
 
 	claim(in->name, method ? "the frame method" : "the surface method", (double)g->nu*g->nv,

@@ -165,7 +165,7 @@ main(int argc, char *argv[])
 {
 	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0 };
 	const char *corners = NULL, *like = NULL, *uv = NULL;
-	Chart g = { 257, 257, 1 };
+	Chart g = { 257, 257, 1, &CHART_RECTANGLE };
 	int opt, corner[4], flip = 0, reversed = 0;
 	double apart;
 	Conformal c;

@@ -5,7 +5,7 @@
 #include "../lib/grid/lambdah.h"
 #include "surfaces.h"
 
-static const Chart COARSE = { 33, 25, 0.8 }, FINE = { 65, 49, 0.8 };
+static const Chart COARSE = { 33, 25, 0.8, &CHART_RECTANGLE }, FINE = { 65, 49, 0.8, &CHART_RECTANGLE };
 enum { MOST = 65*49 };
 
 static double truth[3][MOST], found[3][MOST], lambda[MOST], H[MOST];
@@ -149,7 +149,7 @@ flat_band_is_refused(void **state)
 static void
 all_band_stays(void **state)
 {
-	const Chart small = { 6, 9, 0.8 };
+	const Chart small = { 6, 9, 0.8, &CHART_RECTANGLE };
 
 	(void)state;
 	assert_true(from_truth(stereo, small, 1) == 0);

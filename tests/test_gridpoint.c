@@ -88,22 +88,22 @@ rough(double u, double v, int c)
 static void
 polynomials_are_exact(void **state)
 {
-	static const Chart grid[] = { { 4, 4, 1 }, { 5, 6, 0.3 }, { 6, 5, 2.5 }, { 9, 17, 0.7 }, { 40, 7, 1.3 } };
+	static const Chart grid[] = { { 4, 4, 1, &CHART_RECTANGLE }, { 5, 6, 0.3, &CHART_RECTANGLE }, { 6, 5, 2.5, &CHART_RECTANGLE }, { 9, 17, 0.7, &CHART_RECTANGLE }, { 40, 7, 1.3, &CHART_RECTANGLE } };
 	size_t i;
 
 	(void)state;
 	for (i = 0; i < sizeof grid/sizeof *grid; i++)
 		assert_true(worst(grid[i], cubic, 23, 29) < 1e-13*(1 + pow(grid[i].T, 3)*10));
-	assert_true(worst((Chart){ 3, 3, 0.8 }, quadratic, 13, 11) < 1e-14);
-	assert_true(worst((Chart){ 3, 8, 0.8 }, quadratic, 13, 11) < 1e-14);
-	assert_true(worst((Chart){ 2, 2, 1.7 }, bilinear, 13, 11) < 1e-14);
-	assert_true(worst((Chart){ 2, 7, 1.7 }, bilinear, 13, 11) < 1e-14);
+	assert_true(worst((Chart){ 3, 3, 0.8, &CHART_RECTANGLE }, quadratic, 13, 11) < 1e-14);
+	assert_true(worst((Chart){ 3, 8, 0.8, &CHART_RECTANGLE }, quadratic, 13, 11) < 1e-14);
+	assert_true(worst((Chart){ 2, 2, 1.7, &CHART_RECTANGLE }, bilinear, 13, 11) < 1e-14);
+	assert_true(worst((Chart){ 2, 7, 1.7, &CHART_RECTANGLE }, bilinear, 13, 11) < 1e-14);
 }
 
 static void
 nodes_are_kept(void **state)
 {
-	const Chart g = { 13, 7, 0.6 };
+	const Chart g = { 13, 7, 0.6, &CHART_RECTANGLE };
 
 	(void)state;
 	assert_true(worst(g, smooth, g.nu - 1, g.nv - 1) < 1e-14);
@@ -118,7 +118,7 @@ fourth_order(void **state)
 
 	(void)state;
 	for (k = 0, n = 16; k < 3; k++, n *= 2)
-		e[k] = worst((Chart){ n + 1, 3*n/2 + 1, 1.2 }, smooth, 7*n, 7*n);
+		e[k] = worst((Chart){ n + 1, 3*n/2 + 1, 1.2, &CHART_RECTANGLE }, smooth, 7*n, 7*n);
 	assert_true(e[0] < 1e-3 && e[0]/e[1] > 13 && e[1]/e[2] > 14);
 }
 
@@ -126,7 +126,7 @@ fourth_order(void **state)
 static void
 slopes_agree(void **state)
 {
-	const Chart g = { 11, 9, 0.7 };
+	const Chart g = { 11, 9, 0.7, &CHART_RECTANGLE };
 	const double d = 1e-6, v = 0.123, u = 0.777;
 	double *phi[3], x[3][3];
 	int c, i, k;
@@ -147,7 +147,7 @@ slopes_agree(void **state)
 static void
 meshes_are_moved(void **state)
 {
-	const Chart g = { 9, 9, 0.5 };
+	const Chart g = { 9, 9, 0.5, &CHART_RECTANGLE };
 	double xyz[12] = { 9, 9, 9, 8, 8, 8, 7, 7, 7, 6, 6, 6 }, uv[8], to[8], x[12], want[3];
 	Soup s = { .nv = 4, .xyz = xyz, .uv = uv };
 	double *phi[3];

@@ -4,7 +4,7 @@
 #include "../lib/grid/lambdah.h"
 #include "surfaces.h"
 
-static const Chart COARSE = { 49, 33, 0.7 }, FINE = { 97, 65, 0.7 };
+static const Chart COARSE = { 49, 33, 0.7, &CHART_RECTANGLE }, FINE = { 97, 65, 0.7, &CHART_RECTANGLE };
 enum { MOST = 97*65 };
 
 static double x[MOST], y[MOST], z[MOST], lambda[MOST], H[MOST], lambda0[MOST], H0[MOST];

@@ -8,7 +8,7 @@
 #include "../lib/surface/misfit.h"
 #include "surfaces.h"
 
-static const Chart CHART = { 34, 45, 0.8 };
+static const Chart CHART = { 34, 45, 0.8, &CHART_RECTANGLE };
 enum { N = 34*45 };
 
 static double phi[3*N], lambda[N], H[N], lambda2[N], l2H[N], nu[2][N], tau[2][N];

@@ -52,7 +52,7 @@ minus_laplacian(Chart g, const double *x, double *y)
 static void
 plate_inverts(void **state)
 {
-	static const Chart charts[] = { { 18, 13, 0.7 }, { 13, 18, 1.6 }, { 3, 3, 1 }, { 4, 3, 2 }, { 3, 30, 2 } };
+	static const Chart charts[] = { { 18, 13, 0.7, &CHART_RECTANGLE }, { 13, 18, 1.6, &CHART_RECTANGLE }, { 3, 3, 1, &CHART_RECTANGLE }, { 4, 3, 2, &CHART_RECTANGLE }, { 3, 30, 2, &CHART_RECTANGLE } };
 	double x[3*234], z[3*234], y[234], yy[234];
 	unsigned long long seed = 7;
 	int q, c, i, j, p, n;
@@ -132,7 +132,7 @@ minus_laplacian_mirrored(Chart g, const double *x, double *y)
 static void
 free_plate_inverts(void **state)
 {
-	static const Chart charts[] = { { 18, 13, 0.7 }, { 13, 18, 1.6 }, { 3, 3, 1 }, { 4, 3, 2 }, { 3, 30, 2 } };
+	static const Chart charts[] = { { 18, 13, 0.7, &CHART_RECTANGLE }, { 13, 18, 1.6, &CHART_RECTANGLE }, { 3, 3, 1, &CHART_RECTANGLE }, { 4, 3, 2, &CHART_RECTANGLE }, { 3, 30, 2, &CHART_RECTANGLE } };
 	double x[3*234], z[3*234], y[234], yy[234], least, weight;
 	unsigned long long seed = 7;
 	int q, c, i, j, p, n;
@@ -166,7 +166,7 @@ static void
 threads_change_no_bit(void **state)
 {
 	static double x[3*70*50], one[3*70*50], three[3*70*50];
-	Chart g = { 70, 50, 0.7 };
+	Chart g = { 70, 50, 0.7, &CHART_RECTANGLE };
 	unsigned long long seed = 7;
 	double dot[2];
 	int threads = omp_get_max_threads(), p;

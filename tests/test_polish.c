@@ -11,7 +11,7 @@
 #include "surfaces.h"
 #include "synthdisk.h"
 
-static const Chart CHART = { 41, 29, 0.7 };
+static const Chart CHART = { 41, 29, 0.7, &CHART_RECTANGLE };
 enum { N = 41*29 };
 
 static double field[3][N];
@@ -180,7 +180,7 @@ polish_finds_the_conformal_map(void **state)
 	Disk d;
 	Sampler sampler;
 	Grid a;
-	Chart g = { 61, 49, 0 };
+	Chart g = { 61, 49, 0, &CHART_RECTANGLE };
 	double *xy, *u, *v, before, pu, pv;
 	int i, done, mid = -1;
 
@@ -222,7 +222,7 @@ polish_never_harms(void **state)
 	Disk d;
 	Sampler sampler;
 	Grid a;
-	Chart g = { 33, 25, 0 };
+	Chart g = { 33, 25, 0, &CHART_RECTANGLE };
 	double *xy, *u, *v, before;
 	int i, done, rounds;
 	size_t k;

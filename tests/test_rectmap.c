@@ -172,7 +172,7 @@ static void
 sampling_is_exact_on_the_plane(void **state)
 {
 	Mapped m;
-	Chart g = { 23, 37, 0 };
+	Chart g = { 23, 37, 0, &CHART_RECTANGLE };
 	double *phi[3], *block;
 	int p, surface;
 
@@ -195,7 +195,7 @@ static double
 sampling_error(const char *kind, int n)
 {
 	Mapped m;
-	Chart g = { 41, 33, 0 };
+	Chart g = { 41, 33, 0, &CHART_RECTANGLE };
 	double *phi[3], *block, truth[3], max = 0;
 	int p, c;
 
@@ -234,7 +234,7 @@ static void
 check_chain(int surface, double lambda_bound, double H_bound)
 {
 	Mapped m;
-	Chart g = { 33, 33, 0 };
+	Chart g = { 33, 33, 0, &CHART_RECTANGLE };
 	double *phi[3], *block, *lambda, *H, elambda = 0, eH = 0, x, y;
 	int p;
 

@@ -7,7 +7,8 @@
 
 enum { NU = 30, NV = 21, N = NU*NV };
 
-static const Spectrum DCT = { SPECTRUM_DCT, { NU, NV, 0.7 } }, DFT = { SPECTRUM_DFT, { NU, NV, 0.7 } };
+static const Spectrum DCT = { SPECTRUM_DCT, { NU, NV, 0.7, &CHART_RECTANGLE } },
+	DFT = { SPECTRUM_DFT, { NU, NV, 0.7, &CHART_RECTANGLE } };
 
 static void
 random_field(double *f, unsigned long long seed)
@@ -51,7 +52,7 @@ parseval(void **state)
 
 	(void)state;
 	for (i = 0; i < 4; i++) {
-		Spectrum s = { i%2 ? SPECTRUM_DFT : SPECTRUM_DCT, { i < 2 ? NU : NV, i < 2 ? NV : NU, 1 } };
+		Spectrum s = { i%2 ? SPECTRUM_DFT : SPECTRUM_DCT, { i < 2 ? NU : NV, i < 2 ? NV : NU, 1, &CHART_RECTANGLE } };
 
 		random_field(f, 2);
 		random_field(h, 3);

@@ -8,7 +8,7 @@
 #include "../lib/surface/surface.h"
 #include "surfaces.h"
 
-static const Chart ROUGH = { 25, 24, 0.8 }, MIDDLE = { 49, 47, 0.8 }, COARSE = { 70, 67, 0.8 }, FINE = { 139, 133, 0.8 }, LATTICE = { 12, 10, 0.8 };
+static const Chart ROUGH = { 25, 24, 0.8, &CHART_RECTANGLE }, MIDDLE = { 49, 47, 0.8, &CHART_RECTANGLE }, COARSE = { 70, 67, 0.8, &CHART_RECTANGLE }, FINE = { 139, 133, 0.8, &CHART_RECTANGLE }, LATTICE = { 12, 10, 0.8, &CHART_RECTANGLE };
 enum { MOST = 139*133 };
 
 static double truth[3*MOST], found[3*MOST], kept[3*MOST], lambda[MOST], H[MOST], start[3*12*10], fine_start[3*70*67];
@@ -291,7 +291,7 @@ free_surface_starts_from_its_band(void **state)
 static void
 free_boundaries_of_small_grids_are_no_trouble(void **state)
 {
-	static const Chart charts[] = { { 3, 3, 1 }, { 4, 9, 2 } };
+	static const Chart charts[] = { { 3, 3, 1, &CHART_RECTANGLE }, { 4, 9, 2, &CHART_RECTANGLE } };
 	FitProgress at;
 	Surface s;
 	int k;
@@ -312,7 +312,7 @@ static void
 small_grids_are_no_trouble(void **state)
 {
 	const FitOptions usual = { .tolerance = 1e-6, .most = 60, .sharpen = 1 };
-	static const Chart charts[] = { { 2, 2, 1 }, { 3, 3, 1 }, { 4, 9, 2 } };
+	static const Chart charts[] = { { 2, 2, 1, &CHART_RECTANGLE }, { 3, 3, 1, &CHART_RECTANGLE }, { 4, 9, 2, &CHART_RECTANGLE } };
 	FitProgress at;
 	Surface s;
 	int k;
@@ -459,7 +459,7 @@ steps_that_do_not_suffice_are_told(void **state)
 static void
 energies_that_are_no_numbers_are_told(void **state)
 {
-	Surface s = given(cylinder, (Chart){ 9, 8, 0.8 });
+	Surface s = given(cylinder, (Chart){ 9, 8, 0.8, &CHART_RECTANGLE });
 	FitProgress at;
 	int i, k;
 

@@ -4,6 +4,7 @@
 #include "../../lib/grid/gridmesh.h"
 #include "../../lib/grid/gridpoint.h"
 #include "../../lib/meshfile/meshfile.h"
+#include "../shared/chartof.h"
 #include "gridfile.h"
 
 void
@@ -42,7 +43,7 @@ static void
 moved(const Lhg *g, const double *const phi[3], const Soup *on, const char *name, int kind,
 	char **bytes, size_t *n)
 {
-	const Chart chart = { g->nu, g->nv, g->T };
+	const Chart chart = chart_of(g);
 	Soup s = *on;
 	int at;
 

@@ -5,6 +5,7 @@
 
 #include "../../lib/surface/frame.h"
 #include "../../lib/surface/surface.h"
+#include "../shared/chartof.h"
 #include "../shared/range.h"
 #include "surfacefit.h"
 
@@ -54,7 +55,7 @@ read_start(const CmdInput *in, const Lhg *g, Surface *s)
 			die("%s: %s and %s are lattices of different steps", in->name, START[0], START[c]);
 		memcpy(start + c*n, lhg_find(g, START[c])->f, n*sizeof *start);
 	}
-	s->start_chart = (Chart){ (g->nu - 1)/step + 1, (g->nv - 1)/step + 1, g->T };
+	s->start_chart = (Chart){ (g->nu - 1)/step + 1, (g->nv - 1)/step + 1, g->T, &CHART_RECTANGLE };
 	s->start_end[0] = (double)((g->nu - 1)/step*step)/(g->nu - 1);
 	s->start_end[1] = (double)((g->nv - 1)/step*step)/(g->nv - 1);
 	if (s->start_chart.nu < 2 || s->start_chart.nv < 2)
@@ -104,7 +105,7 @@ seconds(void)
 void
 surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi)
 {
-	Surface s = { .g = { g->nu, g->nv, g->T }, .lambda = lhg_find(g, "lambda")->f, .H = lhg_find(g, "H")->f };
+	Surface s = { .g = chart_of(g), .lambda = lhg_find(g, "lambda")->f, .H = lhg_find(g, "H")->f };
 	FitOptions how = { o->tolerance, o->steps, 1, report, (void *)in };
 	double *start = has_start(g, o) ? read_start(in, g, &s) : NULL, began = seconds();
 	FitProgress at;

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../shared/chartof.h"
 #include "../shared/claim.h"
 #include "../shared/cmd.h"
 #include "../shared/range.h"
@@ -90,7 +91,7 @@ static int
 filter(const CmdInput *in, const Lhg *g, const char *name, double *f, SpectrumBasis basis, Filter by)
 {
 	size_t kept, n = (size_t)g->nu*g->nv;
-	int changed = filter_field((Spectrum){ basis, { g->nu, g->nv, g->T } }, &by, f, &kept);
+	int changed = filter_field((Spectrum){ basis, chart_of(g) }, &by, f, &kept);
 
 	if (changed < 0)
 		die("%s: no memory for the transform of %zu nodes", in->name, n);

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../shared/chartof.h"
 #include "spectable.h"
 
 void
@@ -26,7 +27,7 @@ spectrum_of(Spectrum space, const CmdInput *in, const char *name, const double *
 void
 spectable_write(const char *file, const CmdInput *in, const Lhg *g, const Scales *s)
 {
-	Spectrum space = { s->basis, { g->nu, g->nv, g->T } };
+	Spectrum space = { s->basis, chart_of(g) };
 	double *f = scales_curvature(s, in, g), *H = spectrum_of(space, in, scales_name(s), f, 0);
 	double *lambda = spectrum_of(space, in, "lambda", cmd_need(in, g, "lambda", LHG_GRID), s->log);
 	int m, n, columns = spectrum_columns(space);

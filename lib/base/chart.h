@@ -1,9 +1,9 @@
-/* chart.h - the parameter rectangle [0,1] x [0,T] and its nodes.
+/* chart.h - the parameter domain [0,1] x [0,T], its nodes, and what lies beyond its sides.
  *
- * Symbols used in lib/ without further comment (DESIGN: README, section Mathematics):
+ * Symbols used in lib/ without further comment (doc/mathematics.md 1):
  *
  *   phi      position in R^3 at node (i,j): arrays phi[0], phi[1], phi[2] = x, y, z
- *   h, k     grid steps, h = 1/(nu-1) along u, k = T/(nv-1) along v
+ *   h, k     grid steps along u and v; on the rectangle h = 1/(nu-1), k = T/(nv-1)   (23)
  *   lambda   conformal factor > 0: |phi_u| = |phi_v| = lambda, <phi_u, phi_v> = 0
  *   n        unit normal, phi_u x phi_v / |phi_u x phi_v|
  *   H        mean curvature, <Delta phi, n> / (2 lambda^2); -1 on the unit sphere whose
@@ -15,21 +15,47 @@
 #ifndef CHART_H
 #define CHART_H
 
-typedef struct Chart {
+typedef struct Chart Chart;
+
+/* One row for each kind of chart.  A side of the domain is open, with nodes on it and nothing
+ * beyond; or it is joined to a side, and then lies half a step beyond its last nodes. */
+typedef struct ChartKind {
+	int joined[2][2];       /* along u: the sides u = 0 and u = 1; along v: v = 0 and v = T */
+
+	/* The node (*i,*j) lies up to two steps beyond joined sides: replaces it by the node of
+	 * the grid that it is.  Returns 1, or -1 if the directions of u and v are both reversed
+	 * there, so that odd fields such as phi_u change their sign.  NULL if no side is joined. */
+	int (*beyond)(Chart g, int *i, int *j);
+} ChartKind;
+
+struct Chart {
 	int    nu, nv;          /* nodes along u and v */
 	double T;               /* height, > 0 */
-} Chart;
+	const ChartKind *kind;
+};
+
+/* The rectangle: all four sides are open. */
+extern const ChartKind CHART_RECTANGLE;
+
+/* Steps along u (axis 0) or v (axis 1) of the domain. */
+static inline double
+chart_steps(Chart g, int axis)
+{
+	const int *joined = g.kind->joined[axis];
+
+	return (axis ? g.nv : g.nu) - 1 + (joined[0] + joined[1])*0.5;
+}
 
 static inline double
 chart_h(Chart g)
 {
-	return 1.0/(g.nu - 1);
+	return 1.0/chart_steps(g, 0);
 }
 
 static inline double
 chart_k(Chart g)
 {
-	return g.T/(g.nv - 1);
+	return g.T/chart_steps(g, 1);
 }
 
 #endif

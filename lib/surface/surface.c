@@ -100,7 +100,7 @@ fit_level(const Level *l, const Residue *residue, int free, const FitOptions *o,
 		return SURFACE_ENOMEM;
 	if (free)
 		misfit_set_free(&m);
-	at->cost *= nodes((Chart){ at->nu, at->nv, 1 })/(double)nodes(l->g);
+	at->cost *= (size_t)at->nu*at->nv/(double)nodes(l->g);
 	r = fit(&m, o, l->phi, at);
 	at->cost += at->solves;
 	misfit_free(&m);
