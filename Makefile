@@ -37,7 +37,8 @@ BIN      := $(CMD:%=$(BUILD)/bin/%)
 TESTSRC  := $(filter-out tests/fault.c,$(wildcard tests/*.c))
 TESTBIN  := $(TESTSRC:%.c=$(BUILD)/%)
 UNIT     := $(filter $(BUILD)/tests/test_%,$(TESTBIN))
-FUZZ     := lhg lhg_nocrc off obj ply stl gzip
+# Every file of tests/fuzz/ but those that all targets share, so each mesh format with a file there.
+FUZZ     := $(filter-out memory mesh replay,$(basename $(notdir $(wildcard tests/fuzz/*.c))))
 FUZZBIN  := $(FUZZ:%=$(BUILD)/tests/fuzz/%)
 FUZZMAIN := $(BUILD)/tests/fuzz/replay.o
 FUZZOBJ  := $(BUILD)/tests/fuzz/memory.o $(BUILD)/tests/fuzz/mesh.o

@@ -2,19 +2,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../lib/meshfile/meshfile.h"
+#include "../lib/meshfile/meshformat.h"
 #include "shared/cmd.h"
+#include "shared/formats.h"
 #include "grid2mesh/gridfile.h"
 
 static const char text[] =
 "usage: grid2mesh [-o FILE] [--on=MESH] [GRID] >mesh.off\n"
 "reads channels x y z; writes a mesh of nu nv vertices, row by row, and two triangles a\n"
 "cell, parted by its shorter diagonal, their normals along x_u cross x_v\n"
-"      --on=MESH      instead write MESH, an OBJ or PLY with (u,v) as mesh2rect --uv wrote\n"
+"      --on=MESH      instead write MESH, an {uv formats} with (u,v) as mesh2rect --uv wrote\n"
 "                     it, with the same faces and the same order, each vertex moved to its\n"
 "                     (u,v) on the grid (bicubic; v scaled where the grid has another T); a\n"
-"                     vertex of (u,v) = (-1,-1) stays; OBJ and PLY pass on the (u,v)\n"
-"  -o, --output=FILE  write FILE, by its end .off .obj .ply or .stl [OFF to stdout]; a\n"
+"                     vertex of (u,v) = (-1,-1) stays; {uv formats} has the (u,v) too\n"
+"  -o, --output=FILE  write FILE, by its end {ends} [{stdout} to stdout]; a\n"
 "                     stream of several grids needs a number in FILE, as frame-%03d.off,\n"
 "                     from 1; each file is whole or it is not there\n"
 "  -q, --quiet        no notes on stderr\n"
@@ -60,37 +61,42 @@ file_name(const char *name, int i, char *out, size_t n)
 	return out;
 }
 
-/* One of mesh and grid at most is stdin, and STL has no order to keep. */
+/* One of mesh and grid at most is stdin, and the vertices of the mesh keep their order. */
 static void
-check_on(const char *on, const char *grid, int kind)
+check_on(const char *on, const char *grid, const MeshFormat *format)
 {
+	char list[MESHFORMAT_LIST];
+
 	if (cmd_name_of(on) != on && cmd_name_of(grid) != grid)
 		misuse("--on=%s: stdin is the grid", on);
-	if (kind == MESHFILE_STL)
-		misuse("--on: STL keeps no vertices in order: need an end of .off .obj or .ply");
+	if (!(format->can & MESHFORMAT_SHARED))
+		misuse("--on: %s keeps no vertices in order: need an end of %s", format->name,
+		    meshformat_ends(MESHFORMAT_SHARED | MESHFORMAT_WRITE, list));
 }
 
 int
 main(int argc, char *argv[])
 {
-	char path[4096], *bytes;
+	static char usage[FORMATS_USAGE];
+	char path[4096], list[MESHFORMAT_LIST], *bytes;
 	const char *name, *after, *on = NULL;
-	int kind = MESHFILE_OFF, many, width, opt, i = 0;
+	const MeshFormat *format;
+	int many, width, opt, i = 0;
 	size_t before, n;
 	CmdInput in;
 	Soup mesh = { 0 };
 	Lhg g;
 
-	cmd_begin("grid2mesh", text);
+	cmd_begin("grid2mesh", formats_usage(text, usage, sizeof usage));
 	while ((opt = cmd_getopt(argc, argv, "", longopt)) != -1)
 		on = opt == 'O' ? optarg : on;
 	cmd_operands(argc, argv, 0, 1);
 	name = cmd_output();
-	if (name && (kind = meshfile_kind(name)) < 0)
-		misuse("--output=%s: need an end of .off .obj .ply or .stl", name);
+	if (!(format = name ? meshformat_of(name) : meshformat(0)))
+		misuse("--output=%s: need an end of %s", name, meshformat_ends(MESHFORMAT_WRITE, list));
 	many = name && numbered(name, &before, &width, &after);
 	if (on)
-		check_on(on, argv[optind], kind);
+		check_on(on, argv[optind], format);
 
 	cmd_open(&in, argv[optind]);
 	while (cmd_read(&in, &g)) {
@@ -98,7 +104,7 @@ main(int argc, char *argv[])
 			die("%s: holds several grids: name the files by -o NAME-%%03d.off", in.name);
 		if (on && i == 0)
 			gridfile_on(on, &mesh);         /* not before: mesh2rect may be writing it */
-		gridfile_format(&in, &g, on ? &mesh : NULL, cmd_name_of(on), kind, &bytes, &n);
+		gridfile_format(&in, &g, on ? &mesh : NULL, cmd_name_of(on), format, &bytes, &n);
 		cmd_emit(file_name(name, ++i, path, sizeof path), bytes, n);
 		free(bytes);
 		lhg_free(&g);

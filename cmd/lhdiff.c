@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "shared/cmd.h"
+#include "shared/formats.h"
 #include "lhdiff/report.h"
 #include "lhdiff/surface.h"
 
@@ -9,7 +10,7 @@ static const char text[] =
 "usage: lhdiff [--json] [--hausdorff-error=E] [--no-hausdorff]\n"
 "              [--no-self-intersections] A B\n"
 "Compares surface B with A, the reference.  Each is a stream of grids with channels x y z,\n"
-"or a mesh file (OFF, OBJ, PLY, STL); - is stdin.  Prints lines \"name value\":\n"
+"or a mesh file ({formats}); - is stdin.  Prints lines \"name value\":\n"
 "  area_a area_b      areas\n"
 "  max mean           distance between vertices of equal number, left out where the\n"
 "                     numbers of vertices differ\n"
@@ -94,8 +95,9 @@ main(int argc, char *argv[])
 	Compare c = { 1e-3, 1, 1 };
 	int opt, json = 0;
 	Surfaces a, b;
+	static char usage[FORMATS_USAGE];
 
-	cmd_begin("lhdiff", text);
+	cmd_begin("lhdiff", formats_usage(text, usage, sizeof usage));
 	while ((opt = cmd_getopt(argc, argv, "", longopt)) != -1)
 		switch (opt) {
 		case 'j': json = 1; break;

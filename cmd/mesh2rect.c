@@ -7,14 +7,15 @@
 #include "../lib/mesh/disk.h"
 #include "shared/claim.h"
 #include "shared/cmd.h"
+#include "shared/formats.h"
+#include "shared/load.h"
 #include "mesh2rect/corneropt.h"
 #include "mesh2rect/likeopt.h"
-#include "shared/load.h"
 #include "mesh2rect/uvopt.h"
 
 static const char text[] =
 "usage: mesh2rect [OPTIONS] [MESH] >grid.lhg\n"
-"Maps a triangle mesh with one boundary (a topological disk: OFF, OBJ, PLY or STL, by\n"
+"Maps a triangle mesh with one boundary (a topological disk: {formats}, by\n"
 "content, also gzipped; - or nothing: stdin) onto the rectangle [0,1] x [0,T] and samples\n"
 "it there.  writes channels x y z, metadata vertices faces corners certificate solved\n"
 "turned polished, and like with --like\n"
@@ -41,7 +42,7 @@ static const char text[] =
 "      --polish=N     at most N rounds that map the grid by its own metric, each kept only if\n"
 "                     the grid becomes more conformal, 0..100 [12]\n"
 "      --allow-flips  go on when the map turns triangles over\n"
-"      --uv=FILE      write the mesh as it was read, with its (u,v), to FILE .obj or .ply:\n"
+"      --uv=FILE      write the mesh as it was read, with its (u,v), to FILE {uv ends}:\n"
 "                     for textures, and for grid2mesh --on; vertices of no face get -1,-1\n"
 CMD_USAGE
 "Where the facets are split at last the map is of quadratic elements, and on smooth surfaces\n"
@@ -172,8 +173,9 @@ main(int argc, char *argv[])
 	Soup s;
 	Disk d;
 	Lhg out;
+	static char usage[FORMATS_USAGE];
 
-	cmd_begin("mesh2rect", text);
+	cmd_begin("mesh2rect", formats_usage(text, usage, sizeof usage));
 	while ((opt = cmd_getopt(argc, argv, "n:c:", longopt)) != -1)
 		switch (opt) {
 		case 'n': opt_cells(optarg, &g); break;
@@ -194,7 +196,8 @@ main(int argc, char *argv[])
 		misuse(like ? "say one of --corners and --like" : "--like-reversed is for --like");
 	cmd_binary_output();
 
-	load_both(argv[optind], &s, &d);
+	load_soup(argv[optind], 0, &s);
+	load_disk(cmd_name_of(argv[optind]), &s, &d);
 	if (!uv)
 		soup_free(&s);
 	if (flip)

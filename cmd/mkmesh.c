@@ -3,12 +3,13 @@
 
 #include "../lib/meshfile/meshfile.h"
 #include "shared/cmd.h"
+#include "shared/formats.h"
 #include "mkmesh/kinds.h"
 
 static const char head[] =
 "usage: mkmesh [-n VERTICES] [--seed=S] [-o FILE] KIND [NAME=VALUE ...] >mesh.off\n"
-"Writes an unstructured triangulation of a surface (x,y) -> phi(x,y), a disk, as OFF, or\n"
-"as OFF, OBJ, PLY or STL by the end of FILE.  Faces are counterclockwise seen against\n"
+"Writes an unstructured triangulation of a surface (x,y) -> phi(x,y), a disk, as {stdout}, or\n"
+"as {formats} by the end of FILE.  Faces are counterclockwise seen against\n"
 "phi_x x phi_y, which points out of closed surfaces.  Vertices 0 1 2 3 are the corners\n"
 "of the domain, counterclockwise: of a rectangle from its lower left one, of a disk or\n"
 "oval the points at -135, -45, 45 and 135 degrees.\n"
@@ -29,16 +30,18 @@ static const struct option longopt[] = {
 int
 main(int argc, char *argv[])
 {
+	static char headed[FORMATS_USAGE];
 	const char *out;
-	char *bytes, *usage;
-	int kind, opt, err, n = 5000, listed = 0;
+	const MeshFormat *format;
+	char *bytes, *usage, list[MESHFORMAT_LIST];
+	int opt, err, n = 5000, listed = 0;
 	uint64_t seed = 1;
 	size_t size;
 	Synth s;
 	Mesh m;
 
 	cmd_begin("mkmesh", head);              /* its name, for the words of kinds_manual */
-	cmd_begin("mkmesh", usage = kinds_manual(head));
+	cmd_begin("mkmesh", usage = kinds_manual(formats_usage(head, headed, sizeof headed)));
 	while ((opt = cmd_getopt(argc, argv, "n:", longopt)) != -1)
 		switch (opt) {
 		case 'n': n = (int)opt_long(optarg, 8, 10000000, "vertices"); break;
@@ -55,8 +58,8 @@ main(int argc, char *argv[])
 	while (++optind < argc)
 		kinds_set(&s, argv[optind]);
 	out = cmd_output();
-	if ((kind = out ? meshfile_kind(out) : MESHFILE_OFF) < 0)
-		misuse("%s: want a name in .off .obj .ply or .stl", out);
+	if (!(format = out ? meshformat_of(out) : meshformat(0)))
+		misuse("--output=%s: need an end of %s", out, meshformat_ends(MESHFORMAT_WRITE, list));
 
 	switch (err = synth_mesh(&s, n, seed, &m, NULL)) {
 	case 0: break;
@@ -64,7 +67,7 @@ main(int argc, char *argv[])
 	case SYNTH_EDOMAIN: misuse("the parameters leave nothing of the %s", s.kind->name);
 	default: die("%d vertices are too few for this %s", n, s.kind->name);
 	}
-	if (meshfile_format(&m, kind, &bytes, &size))
+	if (meshfile_write_mesh(&m, format, &bytes, &size))
 		die("no memory for the file of %d vertices", m.nv);
 	cmd_emit(NULL, bytes, size);
 

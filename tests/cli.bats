@@ -195,7 +195,7 @@ tunables() {
 	[ "$(mkmesh --list | grep -cx -e cap -e torus -e moebius)" = 3 ]
 	try 2 'R: want NAME=VALUE'              /dev/null mkmesh -n 60 cap R
 	try 2 'legs: a cap has no such param'   /dev/null mkmesh -n 60 cap legs=4
-	try 2 'x.txt: want a name in .off'      /dev/null mkmesh -n 60 cap -o "$tmp/x.txt"
+	try 2 'x.txt: need an end of .off'      /dev/null mkmesh -n 60 cap -o "$tmp/x.txt"
 	[ ! -e "$tmp/x.txt" ]
 }
 

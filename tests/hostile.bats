@@ -195,3 +195,38 @@ for c in 'xyz': del g.channels['start.' + c]"
 	soon grid2mesh "$tmp/big" | grep -q ' 1e+300$'
 	told 'too large for STL' "$tmp/big" grid2mesh -o "$tmp/x.stl"
 }
+
+# endless COMMAND...: of an endless input, "yes" at stdin, a quick refusal in one line.
+endless() {
+	local code=0
+	yes "${words:-y}" | timeout 10 "$@" >"$tmp/out" 2>"$tmp/err" || code=${PIPESTATUS[1]}
+	[ $code = 1 ] || complain "$*: exit $code"
+	[ ! -s "$tmp/out" ] || complain "$*: output"
+	[ "$(wc -l <"$tmp/err")" = 1 ] || complain "$*: not one line"
+	grep -Eq "$pattern" "$tmp/err" || complain "$*: does not match $pattern"
+}
+
+@test "an endless input that begins as no mesh is refused at once" {
+	local pattern='not an OFF, OBJ, PLY or STL file'
+	endless mesh2rect
+	endless lhdiff - "$tmp/cap.off"
+	endless lhdiff "$tmp/cap.off" -
+	endless grid2mesh --on=- "$tmp/phi"
+	pattern='not an lhg stream' endless mesh2rect --like=- "$tmp/cap.off"
+	yes | gzip | told "$pattern" - mesh2rect
+	told "$pattern" /dev/zero mesh2rect
+	told "$pattern" /dev/zero lhdiff "$tmp/cap.off"
+}
+
+@test "an endless input that begins as a mesh ends at the bound" {
+	case $BUILD in */*) skip "a sanitizer needs its own address space" ;; esac
+	local pattern='stdin: more than 102400000 bytes: the most that is read is half of the memory|no memory'
+	ulimit -v 200000
+	words='v 0 0 0' endless mesh2rect
+	words='v 0 0 0' endless lhdiff - "$tmp/cap.off"
+	words='v 0 0 0' endless grid2mesh --on=- "$tmp/phi"
+	(echo OFF; yes 1 2 3) | told "$pattern" - mesh2rect
+	told "/dev/zero: (more than|no memory)" "$tmp/cap.off" mesh2rect --corners=/dev/zero
+	head -c 300000000 /dev/zero | gzip | told 'gzip data are larger than|no memory|not an OFF' - mesh2rect
+	(echo OFF; head -c 300000000 /dev/zero) | gzip | told 'gzip data are larger than 102400000 bytes|no memory' - mesh2rect
+}

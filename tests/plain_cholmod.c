@@ -51,7 +51,7 @@ load(const char *path, Disk *d, int corner[4])
 	if (!(bytes = malloc(n + 1)) || fread(bytes, 1, n, f) != (size_t)n)
 		quit("cannot read the file");
 	fclose(f);
-	if (meshfile_parse(&s, bytes, n))
+	if (meshfile_parse(&s, bytes, n, (size_t)1 << 32))
 		quit(s.err);
 	free(bytes);
 	if (disk_from_soup(d, &s))

@@ -57,7 +57,7 @@ make(Disk *d, const char *text)
 	Soup s;
 	int e;
 
-	if (meshfile_parse(&s, text, strlen(text)))
+	if (meshfile_parse(&s, text, strlen(text), 0))
 		fail_msg("'%s': %s", text, s.err);
 	e = disk_from_soup(d, &s);
 	soup_free(&s);
@@ -313,8 +313,8 @@ stl_welds(void **state)
 	char *p;
 
 	(void)state;
-	assert_int_equal(meshfile_format(&d.m, MESHFILE_STL, &p, &n), 0);
-	assert_int_equal(meshfile_parse(&s, p, n), 0);
+	assert_int_equal(meshfile_write_mesh(&d.m, meshformat_of("x.stl"), &p, &n), 0);
+	assert_int_equal(meshfile_parse(&s, p, n, (size_t)1 << 30), 0);
 	assert_int_equal(disk_from_soup(&back, &s), 0);
 	assert_true(back.m.nv == 4 && back.m.nf == 3 && back.nb == 3);
 	assert_true(fabs(mesh_area(&back.m) - mesh_area(&d.m)) < 1e-14);
@@ -359,7 +359,7 @@ origins(void **state)
 
 	(void)state;
 	for (i = 0; i < sizeof t / sizeof *t; i++) {
-		assert_int_equal(meshfile_parse(&s, t[i].text, strlen(t[i].text)), 0);
+		assert_int_equal(meshfile_parse(&s, t[i].text, strlen(t[i].text), 0), 0);
 		assert_int_equal(disk_from_soup(&d, &s), 0);
 		assert_int_equal(d.nfile, t[i].nv);
 		for (v = 0; v < t[i].nv; v++)
@@ -409,7 +409,7 @@ uv_to_soup(void **state)
 	int i;
 
 	(void)state;
-	assert_int_equal(meshfile_parse(&s, text, strlen(text)), 0);
+	assert_int_equal(meshfile_parse(&s, text, strlen(text), 0), 0);
 	assert_true(!s.uv && s.T == 0);
 	assert_int_equal(disk_from_soup(&d, &s), 0);
 	for (i = 0; i < 2; i++) {
@@ -456,7 +456,7 @@ real(const char *name, Disk *d, char why[MESH_ERRLEN])
 		print_message("no test meshes: set LHGRID_MESHES\n");
 		skip();
 	}
-	e = meshfile_parse(&s, p, n);
+	e = meshfile_parse(&s, p, n, (size_t)1 << 30);
 	free(p);
 	if (e) {
 		strcpy(why, s.err);

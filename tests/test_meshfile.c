@@ -9,10 +9,13 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <unistd.h>
 #include <zlib.h>
 #include <cmocka.h>
 
 #include "../lib/meshfile/meshfile.h"
+
+static const size_t MOST = (size_t)1 << 32;      /* that gzip data may unpack to */
 
 /* Parse a copy of exactly n bytes, so that a sanitizer sees any step beyond them. */
 static int
@@ -22,7 +25,7 @@ parse(Soup *s, const void *bytes, size_t n)
 	int e;
 
 	memcpy(copy, bytes, n);
-	e = meshfile_parse(s, copy, n);
+	e = meshfile_parse(s, copy, n, MOST);
 	free(copy);
 	if (e)
 		assert_true(!s->xyz && !s->first && !s->idx && s->err[0] && !strchr(s->err, '\n'));
@@ -348,23 +351,24 @@ same(const Soup *s, const Mesh *m)
 	    memcmp(s->idx, m->tri, (size_t)m->nf * 3 * sizeof(int)) == 0;
 }
 
-/* OFF, OBJ and PLY give back every bit; STL every corner as a float. */
+/* Formats with shared vertices give back every bit; STL every corner as a float. */
 static void
 round_trip(void **state)
 {
+	const MeshFormat *f;
 	Mesh m = fan(7);
-	int kind, i, c;
+	int row, i, c;
 	char *p;
 	size_t n;
 	Soup s;
 
 	(void)state;
-	for (kind = MESHFILE_OFF; kind <= MESHFILE_STL; kind++) {
-		assert_int_equal(meshfile_format(&m, kind, &p, &n), 0);
+	for (row = 0; (f = meshformat(row)); row++) {
+		assert_int_equal(meshfile_write_mesh(&m, f, &p, &n), 0);
 		assert_int_equal(parse(&s, p, n), 0);
-		if (kind != MESHFILE_STL)
+		if (f->can & MESHFORMAT_SHARED)
 			assert_true(same(&s, &m));
-		for (i = 0; kind == MESHFILE_STL && i < 3*m.nf; i++)
+		for (i = 0; !(f->can & MESHFORMAT_SHARED) && i < 3*m.nf; i++)
 			for (c = 0; c < 3; c++)
 				assert_true(s.idx[i] == i &&
 				    s.xyz[3*i+c] == (double)(float)m.xyz[3*m.tri[i]+c]);
@@ -372,13 +376,49 @@ round_trip(void **state)
 		free(p);
 	}
 	m.xyz[0] = 1e39;
-	assert_int_equal(meshfile_format(&m, MESHFILE_STL, &p, &n), MESH_EVALUE);
+	assert_int_equal(meshfile_write_mesh(&m, meshformat_of("x.stl"), &p, &n), MESH_EVALUE);
 	mesh_free(&m);
-	assert_int_equal(meshfile_kind("a.OFF"), MESHFILE_OFF);
-	assert_int_equal(meshfile_kind("a.b.stl"), MESHFILE_STL);
-	assert_int_equal(meshfile_kind(".ply"), -1);
-	assert_int_equal(meshfile_kind("plyx"), -1);
-	assert_int_equal(meshfile_kind("off"), -1);
+}
+
+/* Text of STL with a quad, which it cannot hold. */
+static void
+stl_holds_triangles(void **state)
+{
+	static const char quad[] = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+	size_t n;
+	char *p;
+	Soup s;
+
+	(void)state;
+	assert_int_equal(parse(&s, quad, strlen(quad)), 0);
+	assert_int_equal(meshfile_write(&s, meshformat_of("x.stl"), &p, &n), MESH_EFACE);
+	soup_free(&s);
+}
+
+static void
+table_of_formats(void **state)
+{
+	char list[MESHFORMAT_LIST], file[100];
+	const MeshFormat *f;
+	int row;
+
+	(void)state;
+	assert_string_equal(meshformat_of("a.OFF")->name, "OFF");
+	assert_string_equal(meshformat_of("a.b.stl")->name, "STL");
+	assert_null(meshformat_of(".ply"));
+	assert_null(meshformat_of("plyx"));
+	assert_null(meshformat_of("off"));
+	assert_null(meshformat(-1));
+	assert_string_equal(meshformat_names(0, "or", list), "OFF, OBJ, PLY or STL");
+	assert_string_equal(meshformat_names(MESHFORMAT_UV, "and", list), "OBJ and PLY");
+	assert_string_equal(meshformat_ends(MESHFORMAT_WRITE, list), ".off .obj .ply or .stl");
+	assert_string_equal(meshformat_ends(MESHFORMAT_SHARED, list), ".off .obj or .ply");
+	for (row = 0; (f = meshformat(row)); row++) {
+		snprintf(file, sizeof file, "x%.20s", f->ends);
+		assert_ptr_equal(meshformat_of(file), f);
+		snprintf(file, sizeof file, "tests/fuzz/%.20s.c", f->ends + 1);
+		assert_int_equal(access(file, R_OK), 0);        /* every format has its fuzz target */
+	}
 }
 
 /* Append n bytes of w in either order. */
@@ -460,19 +500,20 @@ binary_files(void **state)
 static void
 every_cut(void **state)
 {
-	static const int kinds[] = { MESHFILE_OFF, MESHFILE_PLY, MESHFILE_STL };
+	static const char *const ends[] = { ".off", ".ply", ".stl" };
 	Mesh m = fan(12);
+	char name[8], *p;
 	size_t i, k, n;
-	char *p;
 	Soup s;
 
 	(void)state;
 	for (i = 0; i < 3; i++) {
-		assert_int_equal(meshfile_format(&m, kinds[i], &p, &n), 0);
+		snprintf(name, sizeof name, "x%s", ends[i]);
+		assert_int_equal(meshfile_write_mesh(&m, meshformat_of(name), &p, &n), 0);
 		for (k = 0; k < n; k++)
 			if (parse(&s, p, k) == 0) {
-				if (!(kinds[i] == MESHFILE_OFF && k >= n - 2))
-					fail_msg("kind %zu cut at %zu of %zu passes", i, k, n);
+				if (i != 0 || k < n - 2)
+					fail_msg("%s cut at %zu of %zu passes", ends[i], k, n);
 				soup_free(&s);
 			}
 		free(p);
@@ -514,14 +555,14 @@ every_byte(void **state)
 	    "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n5 0 1 2 -1 0";
 	static const char stl[] = "solid\n" FACET "endsolid";
 	char buf[500];
-	int kind;
+	int row;
 	Mesh m = fan(3);
 	size_t n;
 	char *p;
 
 	(void)state;
-	for (kind = MESHFILE_OFF; kind <= MESHFILE_STL; kind++) {
-		assert_int_equal(meshfile_format(&m, kind, &p, &n), 0);
+	for (row = 0; meshformat(row); row++) {
+		assert_int_equal(meshfile_write_mesh(&m, meshformat(row), &p, &n), 0);
 		changed(p, n);
 		free(p);
 	}
@@ -548,6 +589,37 @@ deflated(const char *bytes, size_t n, unsigned char *out, size_t room)
 	assert_int_equal(deflate(&z, Z_FINISH), Z_STREAM_END);
 	deflateEnd(&z);
 	return room - z.avail_out;
+}
+
+/* The first bytes of a long file: whether it can be a mesh. */
+static void
+promising(void **state)
+{
+	static const char *const good[] = { "OFF\n3 1 0\n", "v 0 0 0\n", "ply\nformat ascii 1.0\n", "solid a\n",
+	    "# a comment\n\n", "\x1f\x8b\b", "\xef\xbb\xbfOFF\n3" };
+	static const char *const bad[] = { "y\ny\n", "hello ", "<html> ", "lhg 1\nu ", "plywood ", "\x89HDF\r\n " };
+	unsigned char z[500];
+	char head[1000], err[MESH_ERRLEN];
+	size_t i, n;
+
+	(void)state;
+	for (i = 0; i < sizeof good/sizeof *good; i++)
+		if (meshfile_promising(good[i], strlen(good[i]), MOST, err))
+			fail_msg("'%s': %s", good[i], err);
+	for (i = 0; i < sizeof bad/sizeof *bad; i++) {
+		assert_int_equal(meshfile_promising(bad[i], strlen(bad[i]), MOST, err), MESH_EFORMAT);
+		n = deflated(bad[i], strlen(bad[i]), z, sizeof z);
+		assert_int_equal(meshfile_promising(z, n - 8, MOST, err), MESH_EFORMAT);
+	}
+	n = deflated(good[0], strlen(good[0]), z, sizeof z);
+	assert_int_equal(meshfile_promising(z, n - 8, MOST, err), 0);
+	memset(head, 0, sizeof head);
+	assert_int_equal(meshfile_promising(head, sizeof head, MOST, err), MESH_EFORMAT);  /* an endless word */
+	head[0] = 'x', head[9] = ' ';
+	assert_int_equal(meshfile_promising(head, sizeof head, MOST, err), MESH_EFORMAT);  /* no triangle */
+	head[81] = 1;                   /* 256 triangles: 12884 bytes */
+	assert_int_equal(meshfile_promising(head, sizeof head, 12884, err), 0);
+	assert_int_equal(meshfile_promising(head, sizeof head, 12883, err), MESH_EFORMAT);
 }
 
 static void
@@ -627,8 +699,8 @@ every_kind_gzipped(void **state)
 	(void)state;
 	for (i = 0; i < sizeof text / sizeof *text; i++)
 		same_gzipped(text[i], strlen(text[i]));
-	for (k = MESHFILE_OFF; k <= MESHFILE_STL; k++) {
-		assert_int_equal(meshfile_format(&m, k, &p, &n), 0);
+	for (k = 0; meshformat(k); k++) {
+		assert_int_equal(meshfile_write_mesh(&m, meshformat(k), &p, &n), 0);
 		same_gzipped(p, n);
 		free(p);
 	}
@@ -645,7 +717,7 @@ parseuv(Soup *s, const void *bytes, size_t n)
 	int e;
 
 	memcpy(copy, bytes, n);
-	e = meshfile_parse_uv(s, copy, n);
+	e = meshfile_parse_uv(s, copy, n, MOST);
 	free(copy);
 	if (e)
 		assert_true(!s->xyz && !s->first && !s->idx && !s->uv && s->err[0] && !strchr(s->err, '\n'));
@@ -780,18 +852,18 @@ soup_round_trip(void **state)
 	static const int corners[] = { 5, 255, 256, 1000 };
 	Soup a, b, plain;
 	char *p, *q;
+	const MeshFormat *f;
 	size_t i, n, nq;
-	int kind, uv;
+	int row, uv;
 
 	(void)state;
 	for (i = 0; i < 4; i++) {
 		a = polygons(corners[i]);
-		for (kind = MESHFILE_OFF; kind <= MESHFILE_PLY; kind++)
-			for (uv = 0; uv < 2; uv++) {
+		for (row = 0; (f = meshformat(row)); row++)
+			for (uv = 0; (f->can & MESHFORMAT_SHARED) && uv < (f->can & MESHFORMAT_UV ? 2 : 1); uv++) {
 				plain = a;
 				plain.uv = uv ? a.uv : NULL;
-				assert_int_equal(meshfile_format_soup(&plain, kind, &p, &n), 0);
-				uv &= kind != MESHFILE_OFF;
+				assert_int_equal(meshfile_write(&plain, f, &p, &n), 0);
 				assert_int_equal(uv ? parseuv(&b, p, n) : parse(&b, p, n), 0);
 				assert_true(b.nv == a.nv && b.nf == a.nf && b.T == (uv ? a.T : 0));
 				assert_memory_equal(b.xyz, a.xyz, (size_t)a.nv * 24);
@@ -800,12 +872,11 @@ soup_round_trip(void **state)
 				assert_true(!b.uv == !uv);
 				if (uv)
 					assert_memory_equal(b.uv, a.uv, (size_t)a.nv * 16);
-				assert_int_equal(meshfile_format_soup(&b, kind, &q, &nq), 0);
+				assert_int_equal(meshfile_write(&b, f, &q, &nq), 0);
 				assert_true(nq == n && memcmp(p, q, n) == 0);
 				free(p);
 				free(q);
 				soup_free(&b);
-				uv |= kind == MESHFILE_OFF;
 			}
 		soup_free(&a);
 	}
@@ -819,11 +890,13 @@ damaged_uv(void **state)
 	Soup a = polygons(5), s;
 	char *p, *copy;
 	size_t n, i, k;
-	int kind, c;
+	int row, c;
 
 	(void)state;
-	for (kind = MESHFILE_OBJ; kind <= MESHFILE_PLY; kind++) {
-		assert_int_equal(meshfile_format_soup(&a, kind, &p, &n), 0);
+	for (row = 0; meshformat(row); row++) {
+		if (!(meshformat(row)->can & MESHFORMAT_UV))
+			continue;
+		assert_int_equal(meshfile_write(&a, meshformat(row), &p, &n), 0);
 		copy = malloc(n);
 		for (i = 0; i < n; i++) {
 			if (!parseuv(&s, p, i))
@@ -858,6 +931,9 @@ main(void)
 		cmocka_unit_test(other_kinds),
 		cmocka_unit_test(hostile_counts),
 		cmocka_unit_test(round_trip),
+		cmocka_unit_test(stl_holds_triangles),
+		cmocka_unit_test(table_of_formats),
+		cmocka_unit_test(promising),
 		cmocka_unit_test(binary_files),
 		cmocka_unit_test(every_cut),
 		cmocka_unit_test(every_byte),

@@ -5,18 +5,15 @@
 #include "../../lib/grid/gridpoint.h"
 #include "../../lib/meshfile/meshfile.h"
 #include "../shared/chartof.h"
+#include "../shared/load.h"
 #include "gridfile.h"
 
 void
 gridfile_on(const char *path, Soup *s)
 {
 	int p, none = 0;
-	size_t n;
-	char *bytes = cmd_slurp(path, &n);
 
-	if (meshfile_parse_uv(s, bytes, n))
-		die("%s: %s", cmd_name_of(path), s->err);
-	free(bytes);
+	load_soup(path, 1, s);
 	for (p = 0; p < s->nv; p++)
 		none += s->uv[2*(size_t)p] == -1 && s->uv[2*(size_t)p+1] == -1;
 	if (none)
@@ -25,22 +22,22 @@ gridfile_on(const char *path, Soup *s)
 }
 
 static void
-own(const CmdInput *in, const Lhg *g, const double *const phi[3], int kind, char **bytes, size_t *n)
+own(const CmdInput *in, const Lhg *g, const double *const phi[3], const MeshFormat *format, char **bytes, size_t *n)
 {
 	Mesh m;
 	int e = mesh_from_grid(&m, g->nu, g->nv, phi[0], phi[1], phi[2]);
 
 	if (!e)
-		e = meshfile_format(&m, kind, bytes, n);
+		e = meshfile_write_mesh(&m, format, bytes, n);
 	if (e == MESH_EVALUE)
-		die("%s: a coordinate is too large for STL", in->name);
+		die("%s: a coordinate is too large for %s", in->name, format->name);
 	if (e)
 		die("%s: no memory for a mesh of %d x %d vertices", in->name, g->nu, g->nv);
 	mesh_free(&m);
 }
 
 static void
-moved(const Lhg *g, const double *const phi[3], const Soup *on, const char *name, int kind,
+moved(const Lhg *g, const double *const phi[3], const Soup *on, const char *name, const MeshFormat *format,
 	char **bytes, size_t *n)
 {
 	const Chart chart = chart_of(g);
@@ -53,14 +50,14 @@ moved(const Lhg *g, const double *const phi[3], const Soup *on, const char *name
 	if (gridpoint_move(chart, phi, on, s.xyz, s.uv, &at))
 		die("%s: vertex %d has (u,v) = (%g,%g), outside [0,1] x [0,%g]", name, at,
 		    on->uv[2*(size_t)at], on->uv[2*(size_t)at+1], on->T > 0 ? on->T : g->T);
-	if (meshfile_format_soup(&s, kind, bytes, n))
+	if (meshfile_write(&s, format, bytes, n))
 		die("%s: no memory for a mesh of %d vertices", name, s.nv);
 	free(s.xyz);
 	free(s.uv);
 }
 
 void
-gridfile_format(const CmdInput *in, const Lhg *g, const Soup *on, const char *onname, int kind,
+gridfile_format(const CmdInput *in, const Lhg *g, const Soup *on, const char *onname, const MeshFormat *format,
 	char **bytes, size_t *n)
 {
 	const double *phi[3];
@@ -69,7 +66,7 @@ gridfile_format(const CmdInput *in, const Lhg *g, const Soup *on, const char *on
 	phi[1] = cmd_need(in, g, "y", LHG_GRID);
 	phi[2] = cmd_need(in, g, "z", LHG_GRID);
 	if (on)
-		moved(g, phi, on, onname, kind, bytes, n);
+		moved(g, phi, on, onname, format, bytes, n);
 	else
-		own(in, g, phi, kind, bytes, n);
+		own(in, g, phi, format, bytes, n);
 }

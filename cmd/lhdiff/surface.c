@@ -1,9 +1,6 @@
 /* surface.c - surfaces from streams of grids or from a mesh file, whichever it is. */
-#include <stdlib.h>
-
-#include "../../lib/mesh/disk.h"
 #include "../../lib/grid/gridmesh.h"
-#include "../../lib/meshfile/meshfile.h"
+#include "../shared/load.h"
 #include "../shared/range.h"
 #include "surface.h"
 
@@ -11,7 +8,7 @@ void
 surfaces_open(Surfaces *s, const char *path)
 {
 	*s = (Surfaces){ .bytes = NULL };
-	s->grids = cmd_open_or_slurp(&s->in, path, &s->bytes, &s->n);
+	s->grids = cmd_open_or_slurp(&s->in, path, load_look, &s->bytes, &s->n);
 }
 
 static int
@@ -40,20 +37,13 @@ from_mesh(Surfaces *s, Mesh *m)
 
 	if (!s->bytes)
 		return 0;
-	if (meshfile_parse(&soup, s->bytes, s->n))
-		die("%s: %s", s->in.name, soup.err);
-	range_positions(s->in.name, (size_t)soup.nv, 3,
-	    (const double *[]){ soup.xyz, soup.xyz + 1, soup.xyz + 2 });
-	if (disk_from_soup(&d, &soup))
-		die("%s: %s", s->in.name, d.err);
-	if (d.note[0])
-		note("%s: %s", s->in.name, d.note);
+	load_bytes(s->in.name, s->bytes, s->n, 0, &soup);
+	s->bytes = NULL;
+	load_disk(s->in.name, &soup, &d);
 	soup_free(&soup);
 	*m = d.m;
 	d.m = (Mesh){ 0, 0, NULL, NULL };       /* m's from now on */
 	disk_free(&d);
-	free(s->bytes);
-	s->bytes = NULL;
 	return 1;
 }
 

@@ -9,10 +9,11 @@
 void
 opt_uv(const char *file)
 {
-	const int kind = meshfile_kind(file);
+	const MeshFormat *format = meshformat_of(file);
+	char list[MESHFORMAT_LIST];
 
-	if (kind != MESHFILE_OBJ && kind != MESHFILE_PLY)
-		misuse("--uv=%s: need an end of .obj or .ply", file);
+	if (!format || !(format->can & MESHFORMAT_UV))
+		misuse("--uv=%s: need an end of %s", file, meshformat_ends(MESHFORMAT_UV | MESHFORMAT_WRITE, list));
 }
 
 void
@@ -23,7 +24,7 @@ uv_write(const char *file, Soup *s, const Disk *d, const double *u, const double
 
 	if (disk_uv(d, u, v, T, s))
 		die("%s: %s", file, s->err);
-	if (meshfile_format_soup(s, meshfile_kind(file), &bytes, &n))
+	if (meshfile_write(s, meshformat_of(file), &bytes, &n))
 		die("%s: no memory for a mesh of %d vertices", file, s->nv);
 	cmd_emit(file, bytes, n);
 	free(bytes);

@@ -4,7 +4,7 @@
 
 #include "../../lib/mesh/mesh.h"
 
-/* Exit 2 when FILE does not end in .obj or .ply. */
+/* Exit 2 when FILE does not end as a format with (u,v) does. */
 void opt_uv(const char *file);
 
 /* Write s, the file's own vertices and polygons, with the (u,v) of the vertices of d, the

@@ -23,3 +23,11 @@ claim(const char *where, const char *what, double n, double bytes)
 	if (n*bytes > there_is())
 		die("%s: no memory: %s needs about %.0f bytes, there are %.0f", where, what, n*bytes, there_is());
 }
+
+size_t
+claim_input(void)
+{
+	double half = there_is()/2, most = 4.*1024*1024*1024;
+
+	return half < most ? (size_t)half : (size_t)most;
+}

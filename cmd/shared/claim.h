@@ -8,4 +8,9 @@
  * the machine has them and the process may.  where: the input, for the message. */
 void claim(const char *where, const char *what, double n, double bytes);
 
+/* Bytes of the largest input that is read into memory before it is looked at: half of what the
+ * machine has and the process may use, since what is made of it needs as much again, and at
+ * most 4 GiB, more than any mesh that can be solved for. */
+size_t claim_input(void);
+
 #endif

@@ -63,8 +63,12 @@ const char *cmd_output(void);
 /* The name of an input in messages: path, or "stdin" for "-" and NULL. */
 const char *cmd_name_of(const char *path);
 
-/* The whole of a file ("-" or NULL: stdin) as bytes; free it. */
+/* All bytes of a file ("-" or NULL: stdin); free them.  Dies of an input above claim_input().
+ * cmd_slurp_if gives the first 64 KiB of a longer input to look, which dies if nothing good
+ * can follow: an endless pipe is refused at once. */
+typedef void CmdLook(const char *name, const char *head, size_t n);
 char *cmd_slurp(const char *path, size_t *n);
+char *cmd_slurp_if(const char *path, CmdLook *look, size_t *n);
 
 /* Exit 2 now rather than write binary data to a terminal later. */
 void cmd_binary_output(void);
@@ -82,8 +86,8 @@ int  cmd_read(CmdInput *in, Lhg *g);
 void cmd_read_one(CmdInput *in, Lhg *g);
 
 /* Open path as cmd_open does and return 1, if its first bytes are those of a stream of
- * grids; else return 0 and all its bytes, to be freed, as cmd_slurp. */
-int  cmd_open_or_slurp(CmdInput *in, const char *path, char **bytes, size_t *n);
+ * grids; else return 0 and all its bytes, to be freed, as cmd_slurp_if. */
+int  cmd_open_or_slurp(CmdInput *in, const char *path, CmdLook *look, char **bytes, size_t *n);
 
 void cmd_write(Lhg *g);
 

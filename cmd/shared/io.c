@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "claim.h"
 #include "cmd.h"
 #include "private.h"
 
@@ -210,19 +211,26 @@ in_close(FILE *f)
 		fclose(f);
 }
 
-/* All of f behind the *n bytes at head, which are taken already; closes f. */
+/* All of f behind the *n bytes at head, which were read before; closes f.  look, if not NULL, is
+ * given the first 64 KiB of a longer input. */
 static char *
-slurp(FILE *f, const char *name, const char *head, size_t *n)
+slurp(FILE *f, const char *name, CmdLook *look, const char *head, size_t *n)
 {
-	size_t room = 1 << 16;
+	const size_t first = 1 << 16, most = claim_input();
+	size_t room = first;
 	char *s = cmd_alloc(room, 1), *more;
 
 	memcpy(s, head, *n);
 	while ((*n += fread(s + *n, 1, room - *n, f)) == room) {
-		if (room > (size_t)-1/2 || !(more = realloc(s, 2*room)))
-			die("%s: no memory: %zu bytes wanted", name, 2*room);
+		if (room == first && look)
+			look(name, s, room);
+		if (room > most)
+			die("%s: more than %zu bytes: the most that is read is half of the memory, up to 4 GiB",
+			    name, most);
+		room = room <= most/2 ? 2*room : most + 1;
+		if (!(more = realloc(s, room)))
+			die("%s: no memory: %zu bytes wanted", name, room);
 		s = more;
-		room *= 2;
 	}
 	if (ferror(f))
 		die("%s: %s", name, strerror(errno));
@@ -233,12 +241,18 @@ slurp(FILE *f, const char *name, const char *head, size_t *n)
 char *
 cmd_slurp(const char *path, size_t *n)
 {
+	return cmd_slurp_if(path, NULL, n);
+}
+
+char *
+cmd_slurp_if(const char *path, CmdLook *look, size_t *n)
+{
 	*n = 0;
-	return slurp(in_open(path), cmd_name_of(path), "", n);
+	return slurp(in_open(path), cmd_name_of(path), look, "", n);
 }
 
 int
-cmd_open_or_slurp(CmdInput *in, const char *path, char **bytes, size_t *n)
+cmd_open_or_slurp(CmdInput *in, const char *path, CmdLook *look, char **bytes, size_t *n)
 {
 	char head[sizeof LHG_MAGIC - 1];
 	FILE *f = in_open(path);
@@ -249,7 +263,7 @@ cmd_open_or_slurp(CmdInput *in, const char *path, char **bytes, size_t *n)
 		lhg_open_behind_magic(&in->s, f);
 		return 1;
 	}
-	*bytes = slurp(f, in->name, head, n);
+	*bytes = slurp(f, in->name, look, head, n);
 	return 0;
 }
 

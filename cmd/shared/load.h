@@ -4,10 +4,17 @@
 
 #include "../../lib/mesh/mesh.h"
 
-/* The polygons of a mesh file ("-" or NULL: stdin), or die with the reason. */
-void load_soup(const char *path, Soup *s);
+/* The polygons of a mesh file ("-" or NULL: stdin), with its (u,v) if uv is not 0, or die with
+ * the reason. */
+void load_soup(const char *path, int uv, Soup *s);
 
-/* The same and the disk made from it, or die; what was repaired is noted. */
-void load_both(const char *path, Soup *s, Disk *d);
+/* The same of n bytes that are read already, which are freed. */
+void load_bytes(const char *name, char *bytes, size_t n, int uv, Soup *s);
+
+/* The disk made from s, or die; what was repaired is noted. */
+void load_disk(const char *name, const Soup *s, Disk *d);
+
+/* Die if no mesh begins with these bytes: a CmdLook. */
+void load_look(const char *name, const char *head, size_t n);
 
 #endif

@@ -12,13 +12,11 @@ typedef struct Out {
 	size_t n, cap, max;
 } Out;
 
-/* deflate cannot reach 1100:1, so more is no honest file; 4 GiB bound the rest. */
+/* deflate cannot reach 1100:1, so more is no honest file. */
 static size_t
-outmax(size_t n)
+outmax(size_t n, size_t most)
 {
-	const uint64_t most = (uint64_t)1 << 32;
-
-	return n > most / 1100 ? (size_t)most : 1100*n + 4096;
+	return n > most / 1100 || 1100*n + 4096 > most ? most : 1100*n + 4096;
 }
 
 static int
@@ -85,9 +83,9 @@ members(z_stream *z, const char *in, const char *end, Out *o, char *err)
 }
 
 int
-gunzip(const char *in, size_t n, char **out, size_t *nout, char err[MESH_ERRLEN])
+gunzip(const char *in, size_t n, size_t most, char **out, size_t *nout, char err[MESH_ERRLEN])
 {
-	Out o = { NULL, 0, 0, outmax(n) };
+	Out o = { NULL, 0, 0, outmax(n, most) };
 	z_stream z;
 	int e;
 
@@ -109,4 +107,21 @@ gunzip(const char *in, size_t n, char **out, size_t *nout, char err[MESH_ERRLEN]
 	*out = o.p;
 	*nout = o.n;
 	return 0;
+}
+
+size_t
+gunzip_head(const char *in, size_t n, char *out, size_t room)
+{
+	z_stream z;
+
+	memset(&z, 0, sizeof z);
+	if (inflateInit2(&z, 15 + 16) != Z_OK)
+		return 0;
+	z.next_in = (Bytef *)(uintptr_t)in;
+	z.avail_in = n < UINT_MAX ? (uInt)n : UINT_MAX;
+	z.next_out = (Bytef *)out;
+	z.avail_out = (uInt)room;
+	inflate(&z, Z_NO_FLUSH);
+	inflateEnd(&z);
+	return room - z.avail_out;
 }

@@ -1,10 +1,10 @@
-/* meshfile.c - which kind of mesh file is this, and read it. */
+/* meshfile.c - recognise the format of a mesh file and read it; write one. */
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "meshfile.h"
 #include "meshpriv.h"
+#include "writepriv.h"
 
 /* What people will try that we do not read, by its first bytes. */
 static const struct {
@@ -27,86 +27,96 @@ static const struct {
 	{ "\x1f\x8b", 2,              "gzip data within gzip data" }
 };
 
-typedef int Read(Reader *);
-
+/* Is the word among the first 2000 bytes? */
 static int
-contains(const Reader *r, size_t most, const char *word)
+contains(const MeshStart *m, const char *word)
 {
-	const size_t n = strlen(word), left = scan_left(r) < most ? scan_left(r) : most;
+	const size_t n = strlen(word), end = m->n < 2000 ? m->n : 2000;
 	size_t i;
 
-	for (i = 0; i + n <= left; i++)
-		if (memcmp(r->p + i, word, n) == 0)
+	for (i = 0; i + n <= end; i++)
+		if (memcmp(m->p + i, word, n) == 0)
 			return 1;
 	return 0;
 }
 
 static const char *
-otherkind(const Reader *r, Token first)
+otherkind(const MeshStart *m)
 {
 	size_t i;
 
 	for (i = 0; i < sizeof OTHER / sizeof *OTHER; i++)
-		if (scan_left(r) >= OTHER[i].n && memcmp(r->p, OTHER[i].magic, OTHER[i].n) == 0)
+		if (m->n >= OTHER[i].n && memcmp(m->p, OTHER[i].magic, OTHER[i].n) == 0)
 			return OTHER[i].kind;
-	if (first.n > 0 && *first.s == '<')
-		return contains(r, 2000, "GIFTI") ? "a GIFTI file" :
-		    contains(r, 2000, "VTKFile") ? "a VTK XML file" : "an XML or HTML file";
-	return scan_is(first, "Vertex") ? "a Hoppe .m mesh" : NULL;
+	if (m->word.n > 0 && *m->word.s == '<')
+		return contains(m, "GIFTI") ? "a GIFTI file" :
+		    contains(m, "VTKFile") ? "a VTK XML file" : "an XML or HTML file";
+	return scan_is(m->word, "Vertex") ? "a Hoppe .m mesh" : NULL;
 }
 
 static int
-isobj(Token t)
+is_gzip(const char *p, size_t n)
 {
-	static const char *const word[] = { "v", "vt", "vn", "vp", "f", "o", "g", "s", "l", "p",
-	    "mtllib", "usemtl" };
-	size_t i;
-
-	for (i = 0; i < sizeof word / sizeof *word; i++)
-		if (scan_is(t, word[i]))
-			return 1;
-	return 0;
+	return n >= 2 && memcmp(p, "\x1f\x8b", 2) == 0;
 }
 
-/* Binary data whose first 84 bytes could begin an STL of believable size. */
-static int
-nearlystl(const Reader *r)
+/* What is known of a file before it is read: n bytes at p of at least `least`, at most `most`. */
+static MeshStart
+start(const char *p, size_t n, size_t least, size_t most)
 {
-	return scan_left(r) >= 84 && scan_bytes(r->p + 80, 4, 0) < 100000000 &&
-	    memchr(r->p, '\0', 84) != NULL;
+	MeshStart m = { .p = p, .n = n, .least = least, .most = most };
+	Reader ahead = { .hash = 1 };
+
+	if (n >= 3 && memcmp(p, "\xef\xbb\xbf", 3) == 0)
+		m.p += 3, m.n -= 3, m.least -= 3, m.most -= 3;  /* the byte order mark of some editors */
+	ahead.p = m.p;
+	ahead.end = m.p + m.n;
+	if (!scan_token(&ahead, &m.word))
+		m.word.n = 0;
+	return m;
 }
 
-/* The reader for what r holds, or NULL with the reason in err. */
-static Read *
-choose(const Reader *r, char *err)
+/* The format of a file, or NULL with the reason in err. */
+static const MeshFormat *
+choose(const MeshStart *m, char *err)
 {
-	Reader ahead = *r;
-	Token t = { "", 0 };
+	const MeshFormat *f, *best = NULL;
+	int i, how, most = MESHSTART_NO;
 	const char *kind;
-	int extra;
+	char list[MESHFORMAT_LIST];
 
-	ahead.hash = 1;
-	if (!scan_token(&ahead, &t))
-		t.n = 0;
-	if (stl_isbinary(r->p, scan_left(r)))
-		return stl_read;
-	if ((kind = otherkind(r, t)) != NULL) {
-		mesh_fail(err, MESH_EFORMAT, "this is %s, not OFF, OBJ, PLY or STL", kind);
+	for (i = 0; (f = meshformat(i)); i++)
+		if ((how = f->recognise(m)) > most) {
+			best = f;
+			most = how;
+		}
+	if (most < MESHSTART_SURE && (kind = otherkind(m)) != NULL) {
+		mesh_fail(err, MESH_EFORMAT, "this is %s, not %s", kind, meshformat_names(0, "or", list));
 		return NULL;
 	}
-	if (t.s == r->p && t.n == 3 && memcmp(t.s, "ply", 3) == 0)
-		return ply_read;
-	if (off_keyword(t, &extra))
-		return off_read;
-	if (scan_is(t, "solid") || nearlystl(r))
-		return stl_read;
-	if (isobj(t))
-		return obj_read;
-	mesh_fail(err, MESH_EFORMAT, "not an OFF, OBJ, PLY or STL file");
-	return NULL;
+	if (!best)
+		mesh_fail(err, MESH_EFORMAT, "not an %s file", meshformat_names(0, "or", list));
+	return best;
 }
 
-/* Every corner is a vertex.  first is there also when there is no face. */
+/* A first word that fills this much belongs to no format. */
+enum { LONGEST_WORD = 100 };
+
+int
+meshfile_promising(const void *head, size_t n, size_t most, char err[MESH_ERRLEN])
+{
+	char out[4096];
+	const int packed = is_gzip(head, n);
+	const size_t k = packed ? gunzip_head(head, n, out, sizeof out) : n;
+	const MeshStart m = start(packed ? out : head, k, k, most);
+	const int open = m.word.s + m.word.n == m.p + m.n && m.word.n < LONGEST_WORD;
+
+	if (m.word.n == 0 || open)
+		return 0;                       /* too early to say */
+	return choose(&m, err) ? 0 : MESH_EFORMAT;
+}
+
+/* Check the corners.  `first` is allocated even if there are no faces. */
 static int
 finish(Reader *r)
 {
@@ -126,20 +136,21 @@ finish(Reader *r)
 static int
 plain(Soup *s, const char *p, size_t n, int wantuv)
 {
-	Reader r = { .p = p, .end = p + n, .line = 1, .s = s, .wantuv = wantuv };
-	Read *read;
+	const MeshStart m = start(p, n, n, n);
+	Reader r = { .p = m.p, .end = m.p + m.n, .line = 1, .s = s, .wantuv = wantuv };
+	const MeshFormat *format;
+	char list[MESHFORMAT_LIST];
 	int e;
 
-	if (n >= 3 && memcmp(p, "\xef\xbb\xbf", 3) == 0)
-		r.p += 3;                       /* the byte order mark of some editors */
-	if (r.p == r.end)
+	if (m.n == 0)
 		return mesh_fail(s->err, MESH_EFORMAT, "empty input");
-	read = choose(&r, s->err);
-	if (!read)
+	format = choose(&m, s->err);
+	if (!format)
 		return MESH_EFORMAT;
-	if (wantuv && read != obj_read && read != ply_read)
-		return mesh_fail(s->err, MESH_EFORMAT, "only OBJ and PLY carry (u,v)");
-	if ((e = soup_reserve(&r, 0, 0, 0)) == 0 && (e = read(&r)) == 0)
+	if (wantuv && !(format->can & MESHFORMAT_UV))
+		return mesh_fail(s->err, MESH_EFORMAT, "only %s carry (u,v)",
+		    meshformat_names(MESHFORMAT_UV, "and", list));
+	if ((e = soup_reserve(&r, 0, 0, 0)) == 0 && (e = format->read(&r)) == 0)
 		e = finish(&r);
 	if (!e && wantuv)
 		e = uv_check(s);
@@ -149,16 +160,16 @@ plain(Soup *s, const char *p, size_t n, int wantuv)
 }
 
 static int
-parse(Soup *s, const void *bytes, size_t n, int wantuv)
+parse(Soup *s, const void *bytes, size_t n, size_t most, int wantuv)
 {
 	const char *p = bytes;
 	char *out;
 	int e;
 
 	memset(s, 0, sizeof *s);
-	if (n < 2 || memcmp(p, "\x1f\x8b", 2) != 0)
+	if (!is_gzip(p, n))
 		return plain(s, p, n, wantuv);
-	if ((e = gunzip(p, n, &out, &n, s->err)) != 0)
+	if ((e = gunzip(p, n, most, &out, &n, s->err)) != 0)
 		return e;
 	e = plain(s, out, n, wantuv);
 	free(out);
@@ -166,26 +177,36 @@ parse(Soup *s, const void *bytes, size_t n, int wantuv)
 }
 
 int
-meshfile_parse(Soup *s, const void *bytes, size_t n)
+meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most)
 {
-	return parse(s, bytes, n, 0);
+	return parse(s, bytes, n, most, 0);
 }
 
 int
-meshfile_parse_uv(Soup *s, const void *bytes, size_t n)
+meshfile_parse_uv(Soup *s, const void *bytes, size_t n, size_t most)
 {
-	return parse(s, bytes, n, 1);
+	return parse(s, bytes, n, most, 1);
 }
 
 int
-meshfile_kind(const char *name)
+meshfile_write(const Soup *s, const MeshFormat *format, char **bytes, size_t *n)
 {
-	static const char *const end[] = { ".off", ".obj", ".ply", ".stl" };
-	const size_t n = strlen(name);
-	int k;
+	Text t = { NULL, 0, 0 };
+	int e = format->write(&t, s);
 
-	for (k = 0; k < 4; k++)
-		if (n > 4 && strcasecmp(name + n - 4, end[k]) == 0)
-			return k;
-	return -1;
+	if (e) {
+		free(t.p);
+		return e;
+	}
+	*bytes = t.p;
+	*n = t.n;
+	return 0;
+}
+
+int
+meshfile_write_mesh(const Mesh *m, const MeshFormat *format, char **bytes, size_t *n)
+{
+	const Soup s = { .nv = m->nv, .nf = m->nf, .xyz = m->xyz, .idx = m->tri };
+
+	return meshfile_write(&s, format, bytes, n);
 }

@@ -1,4 +1,4 @@
-/* meshfile.h - mesh files as bytes: OFF, OBJ, PLY and STL, plain or gzipped.
+/* meshfile.h - mesh files as bytes: any format of meshformat.h, plain or gzipped.
  *
  * Reading goes by content, never by name, so that a pipe serves as well as a file.
  */
@@ -6,8 +6,9 @@
 #define MESHFILE_H
 
 #include "../mesh/mesh.h"
+#include "meshformat.h"
 
-enum { MESHFILE_OFF, MESHFILE_OBJ, MESHFILE_PLY, MESHFILE_STL };
+#define MESHFILE_MOST ((size_t)1 << 32) /* no larger file is read: 4 GiB, also when unpacked */
 
 /* Parse n bytes (they need no final NUL).
  *
@@ -19,16 +20,18 @@ enum { MESHFILE_OFF, MESHFILE_OBJ, MESHFILE_PLY, MESHFILE_STL };
  *      elements; faces as vertex_indices or vertex_index lists, or tristrips
  * STL  ASCII and binary; three own vertices for every triangle
  *
+ * most  in  bytes that gzip data may unpack to
+ *
  * Returns 0, MESH_ENOMEM, MESH_EFORMAT, MESH_EINDEX or MESH_EVALUE, with the reason
  * and the place in s->err (a truncation names the record, "file ends in face 12 of
  * 100"); s then holds nothing to free.
  *
- * Takes at most 1 KiB and 16 bytes for each byte given, whatever counts the file promises.
- * Gzip data, known by their first bytes, are unpacked first; deflate reaches 1030:1, so what
- * they may unpack to is bounded by 1100 bytes for each byte given, and by 4 GiB.  The 16 are
+ * The memory is at most 1 KiB and 16 bytes for each byte given, whatever counts the file
+ * promises.  Gzip data, known by their first bytes, are unpacked first; deflate reaches 1030:1,
+ * so they may unpack to 1100 bytes for each byte given and to no more than most.  The 16 are
  * then for each byte unpacked, beside the buffer that holds these (at most 3 for each while
  * it grows, 4 for each byte given, 64 KiB for zlib). */
-int meshfile_parse(Soup *s, const void *bytes, size_t n);
+int meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most);
 
 /* The same, with the (u,v) of every vertex in s->uv and the T they belong to in s->T, 0 if
  * the file does not say it:
@@ -36,21 +39,21 @@ int meshfile_parse(Soup *s, const void *bytes, size_t n);
  * OBJ  vt lines and corners a/b or a/b/c; T from a line "# lhgrid T 0.91"
  * PLY  vertex properties s t, or u v, or texture_u texture_v; T from "comment lhgrid T 0.91"
  *
- * A vertex of no face of an OBJ has (-1,-1).  Refused besides: other kinds (MESH_EFORMAT),
- * (u,v) missing (MESH_EFORMAT), not finite or two of them at one vertex (MESH_EVALUE). */
-int meshfile_parse_uv(Soup *s, const void *bytes, size_t n);
+ * A vertex of no face of an OBJ has (-1,-1).  Refused besides: formats without (u,v)
+ * (MESH_EFORMAT), (u,v) missing (MESH_EFORMAT), not finite or two of them at one vertex
+ * (MESH_EVALUE). */
+int meshfile_parse_uv(Soup *s, const void *bytes, size_t n, size_t most);
 
-/* The kind by the end of a file name (.off .obj .ply .stl, any case), or -1. */
-int meshfile_kind(const char *name);
+/* Can a file that begins with these n bytes, at most `most` bytes long, be a mesh?  0, or
+ * MESH_EFORMAT with the reason in err: an endless pipe is refused before it is read. */
+int meshfile_promising(const void *head, size_t n, size_t most, char err[MESH_ERRLEN]);
 
-/* m as a file of that kind: OFF and OBJ as text that gives back every double, PLY
+/* s as a file: its vertices and polygons as they are, and when s->uv is there its (u,v) and T
+ * if the format carries them.  OFF and OBJ are text that gives back every double, PLY is
  * binary_little_endian double, STL binary float.  *bytes is malloc'd, *n its length.
- * Returns 0, MESH_ENOMEM, or MESH_EVALUE: STL, and a coordinate exceeds a float. */
-int meshfile_format(const Mesh *m, int kind, char **bytes, size_t *n);
-
-/* The same of a soup: its vertices and polygons as they are, and when s->uv is there its
- * (u,v) and T in OBJ and PLY, as meshfile_parse_uv reads them.  Not for MESHFILE_STL.
- * Returns 0 or MESH_ENOMEM. */
-int meshfile_format_soup(const Soup *s, int kind, char **bytes, size_t *n);
+ * Returns 0, MESH_ENOMEM, MESH_EVALUE: a coordinate exceeds what the format holds, or
+ * MESH_EFACE: the format holds triangles only. */
+int meshfile_write(const Soup *s, const MeshFormat *format, char **bytes, size_t *n);
+int meshfile_write_mesh(const Mesh *m, const MeshFormat *format, char **bytes, size_t *n);
 
 #endif

@@ -70,16 +70,35 @@ int uv_start(Reader *r, size_t nv);
 /* Is every (u,v) finite?  0 or MESH_EVALUE. */
 int uv_check(Soup *s);
 
-/* One per format: all of the file after detection, into r->s. */
-int off_keyword(Token t, int *extra);
+/* What is known of a file before it is read: its first n bytes, its first word without the
+ * comments before it, and bounds on its size, both n when all of it is here. */
+typedef struct MeshStart {
+	const char *p;
+	size_t n, least, most;
+	Token  word;
+} MeshStart;
+
+/* How likely a file is of a format.  The likeliest is taken, of equally likely ones the first
+ * of the table. */
+enum { MESHSTART_NO, MESHSTART_MAYBE, MESHSTART_LIKELY, MESHSTART_SURE };
+
+/* For each format: one of these; and all of the file, behind a byte order mark, into r->s. */
+int off_recognise(const MeshStart *m);
 int off_read(Reader *r);
+int obj_recognise(const MeshStart *m);
 int obj_read(Reader *r);
+int ply_recognise(const MeshStart *m);
 int ply_read(Reader *r);
-int stl_isbinary(const char *p, size_t n);
+int stl_recognise(const MeshStart *m);
 int stl_read(Reader *r);
 
-/* Inflate gzip members into malloc'd *out.  Returns 0, MESH_ENOMEM or MESH_EFORMAT. */
-int gunzip(const char *in, size_t n, char **out, size_t *nout, char err[MESH_ERRLEN]);
+/* Inflate gzip members into malloc'd *out, at most `most` bytes.  Returns 0, MESH_ENOMEM or
+ * MESH_EFORMAT. */
+int gunzip(const char *in, size_t n, size_t most, char **out, size_t *nout, char err[MESH_ERRLEN]);
+
+/* The first bytes that gzip data unpack to, in out, of room for fewer than 4 GiB; returns how many,
+ * 0 also if the data are damaged or memory is short. */
+size_t gunzip_head(const char *in, size_t n, char *out, size_t room);
 
 /* An unsigned number of n bytes. */
 unsigned long long scan_bytes(const char *p, int n, int big);

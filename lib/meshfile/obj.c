@@ -233,6 +233,19 @@ statements(Obj *o)
 }
 
 int
+obj_recognise(const MeshStart *m)
+{
+	static const char *const word[] = { "v", "vt", "vn", "vp", "f", "o", "g", "s", "l", "p",
+	    "mtllib", "usemtl" };
+	size_t i;
+
+	for (i = 0; i < sizeof word / sizeof *word; i++)
+		if (scan_is(m->word, word[i]))
+			return MESHSTART_MAYBE;
+	return MESHSTART_NO;
+}
+
+int
 obj_read(Reader *r)
 {
 	Obj o = { .r = r };

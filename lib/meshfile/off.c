@@ -12,8 +12,8 @@ typedef struct Off {
 } Off;
 
 /* [ST][C][N]OFF: texture, colour and normal add 2, 4 and 3 numbers to a vertex. */
-int
-off_keyword(Token t, int *extra)
+static int
+keyword(Token t, int *extra)
 {
 	*extra = 0;
 	if (t.n > 2 && memcmp(t.s, "ST", 2) == 0)
@@ -236,6 +236,14 @@ binary(Off *o)
 }
 
 int
+off_recognise(const MeshStart *m)
+{
+	int extra;
+
+	return keyword(m->word, &extra) ? MESHSTART_LIKELY : MESHSTART_NO;
+}
+
+int
 off_read(Reader *r)
 {
 	Off o = { .r = r };
@@ -244,7 +252,7 @@ off_read(Reader *r)
 
 	r->hash = 1;
 	scan_token(r, &t);
-	off_keyword(t, &o.extra);
+	keyword(t, &o.extra);
 	if (o.extra < 0)
 		return mesh_fail(r->s->err, MESH_EFORMAT, "only OFF of three dimensions is read");
 	here = r->p;

@@ -168,6 +168,14 @@ reserve(Ply *p, const PlyElem *e)
 }
 
 int
+ply_recognise(const MeshStart *m)
+{
+	const Token t = m->word;
+
+	return t.s == m->p && t.n == 3 && memcmp(t.s, "ply", 3) == 0 ? MESHSTART_LIKELY : MESHSTART_NO;
+}
+
+int
 ply_read(Reader *r)
 {
 	Ply p = { .r = r };

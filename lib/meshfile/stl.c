@@ -5,11 +5,26 @@
 
 enum { HEAD = 84, EACH = 50 };
 
-/* Binary files are known by their size, since many begin with "solid" as well. */
-int
-stl_isbinary(const char *p, size_t n)
+/* The size of a binary file with the count of triangles that p, of n bytes, has. */
+static unsigned long long
+binary_size(const char *p, size_t n)
 {
-	return n >= HEAD && (n - HEAD) % EACH == 0 && (n - HEAD) / EACH == scan_bytes(p + 80, 4, 0);
+	return n >= HEAD ? HEAD + EACH*scan_bytes(p + 80, 4, 0) : 0;
+}
+
+/* Binary files are known by their size, since many begin with "solid" as well.  Binary data
+ * with a believable count but another size are a damaged STL rather than something else. */
+int
+stl_recognise(const MeshStart *m)
+{
+	const unsigned long long size = binary_size(m->p, m->n);
+
+	if (size && size >= m->least && size <= m->most)
+		return MESHSTART_SURE;
+	if (scan_is(m->word, "solid"))
+		return MESHSTART_LIKELY;
+	return m->least == m->most && size && size < HEAD + EACH*100000000ULL && memchr(m->p, '\0', HEAD) ?
+	    MESHSTART_LIKELY : MESHSTART_NO;
 }
 
 static int
@@ -128,11 +143,11 @@ stl_read(Reader *r)
 {
 	const size_t n = scan_left(r);
 
-	if (stl_isbinary(r->p, n))
+	if (n >= HEAD && binary_size(r->p, n) == n)
 		return binary(r);
 	if (n > HEAD && memchr(r->p, '\0', HEAD))
 		return mesh_fail(r->s->err, MESH_EFORMAT,
 		    "binary STL of %llu triangles has %llu bytes, not %zu", scan_bytes(r->p + 80, 4, 0),
-		    HEAD + EACH*scan_bytes(r->p + 80, 4, 0), n);
+		    binary_size(r->p, n), n);
 	return ascii(r);
 }

@@ -20,12 +20,12 @@ floats(Text *t, const double x[3])
 	}
 }
 
-/* Unit normal of triangle v, or 0 where numbers cannot say it. */
+/* Unit normal of triangle v, or 0 if its length is 0 or exceeds a double. */
 static void
-normal(const Mesh *m, const int *v, double n[3])
+normal(const double *xyz, const int *v, double n[3])
 {
-	const double *a = m->xyz + 3*(size_t)v[0], *b = m->xyz + 3*(size_t)v[1];
-	const double *e = m->xyz + 3*(size_t)v[2];
+	const double *a = xyz + 3*(size_t)v[0], *b = xyz + 3*(size_t)v[1];
+	const double *e = xyz + 3*(size_t)v[2];
 	double p[3], q[3], len;
 	int c;
 
@@ -39,28 +39,29 @@ normal(const Mesh *m, const int *v, double n[3])
 }
 
 int
-text_stl(Text *t, const Mesh *m)
+stl_write(Text *t, const Soup *s)
 {
+	const int *v;
 	double n[3];
 	size_t i;
-	int c;
+	int c, f;
 
-	for (i = 0; i < 3*(size_t)m->nv; i++)
-		if (!(fabs(m->xyz[i]) <= (double)FLT_MAX))
+	for (i = 0; i < 3*(size_t)s->nv; i++)
+		if (!(fabs(s->xyz[i]) <= (double)FLT_MAX))
 			return MESH_EVALUE;
 	if (!text_room(t))
 		return MESH_ENOMEM;
 	t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "%-80s", "lhgrid: binary STL");
-	text_bytes(t, (uint64_t)m->nf, 4);
-	for (i = 0; i < (size_t)m->nf; i++) {
-		const int *v = m->tri + 3*i;
-
+	text_bytes(t, (uint64_t)s->nf, 4);
+	for (f = 0; f < s->nf; f++) {
+		if (text_corners(s, f, &v) != 3)
+			return MESH_EFACE;
 		if (!text_room(t))
 			return MESH_ENOMEM;
-		normal(m, v, n);
+		normal(s->xyz, v, n);
 		floats(t, n);
 		for (c = 0; c < 3; c++)
-			floats(t, m->xyz + 3*(size_t)v[c]);
+			floats(t, s->xyz + 3*(size_t)v[c]);
 		text_bytes(t, 0, 2);
 	}
 	return 0;

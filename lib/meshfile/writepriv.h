@@ -21,7 +21,28 @@ int text_room(Text *t);
 /* The n low bytes of w, least significant first. */
 void text_bytes(Text *t, uint64_t w, int n);
 
-/* All of a binary STL file.  Returns 0, MESH_ENOMEM or MESH_EVALUE. */
-int text_stl(Text *t, const Mesh *m);
+/* x with the fewest of 15, 16 or 17 digits that read back as x, and the character after it. */
+void text_number(Text *t, double x, char after);
+
+void text_words(Text *t, const char *s);
+
+/* An integer >= 0. */
+void text_int(Text *t, int i);
+
+/* nv lines of n numbers each, with a word before them.  0 or MESH_ENOMEM. */
+int text_lines(Text *t, const double *x, int nv, int n, const char *before);
+
+/* "lhgrid T 0.91" behind the word that begins a comment, if s has (u,v) and T. */
+void text_modulus(Text *t, const Soup *s, const char *before);
+
+/* The corners of face f in *v; returns their number.  s->first is NULL where all faces are
+ * triangles. */
+int text_corners(const Soup *s, int f, const int **v);
+
+/* For each format: all of the file.  0, MESH_ENOMEM, MESH_EVALUE or MESH_EFACE. */
+int off_write(Text *t, const Soup *s);
+int obj_write(Text *t, const Soup *s);
+int ply_write(Text *t, const Soup *s);
+int stl_write(Text *t, const Soup *s);
 
 #endif

@@ -34,7 +34,7 @@ LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 		memcpy(p, data, n);
 	memcpy(p, "\x1f\x8b\x08", n < 3 ? n : 3);
 	fuzz_mark();
-	if (gunzip((char *)p, n, &out, &unpacked, err) == 0)
+	if (gunzip((char *)p, n, (size_t)1 << 32, &out, &unpacked, err) == 0)
 		free(out);
 	else    /* what came before the damage is not told: the bound of the buffer */
 		unpacked = 1100*n + 4096;

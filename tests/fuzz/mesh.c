@@ -7,7 +7,9 @@
 #include "../../lib/meshfile/meshfile.h"
 #include "fuzz.h"
 
-typedef int Parse(Soup *s, const void *bytes, size_t n);
+typedef int Parse(Soup *s, const void *bytes, size_t n, size_t most);
+
+static const size_t MOST = (size_t)1 << 32;      /* that gzip data may unpack to */
 
 size_t
 fuzz_meshbound(size_t n)
@@ -53,88 +55,81 @@ samebits(const void *a, const void *b, size_t bytes)
 	return bytes == 0 || memcmp(a, b, bytes) == 0;
 }
 
+/* Some formats give no (u,v) to a vertex of no face. */
 static void
 same(const Soup *a, const Soup *b)
 {
-	size_t nv = (size_t)a->nv, nf = (size_t)a->nf;
+	size_t nv = (size_t)a->nv, nf = (size_t)a->nf, i;
 
 	fuzz_need(a->nv == b->nv && a->nf == b->nf, "a mesh comes back with other counts");
 	fuzz_need(samebits(a->xyz, b->xyz, 3*nv*sizeof(double)), "coordinates do not come back");
 	fuzz_need(samebits(a->first, b->first, (nf + 1)*sizeof(int)), "numbers of corners do not come back");
 	fuzz_need(samebits(a->idx, b->idx, (size_t)a->first[nf]*sizeof(int)), "corners do not come back");
 	fuzz_need(!a->uv == !b->uv && a->T == b->T, "T does not come back");
-	fuzz_need(!a->uv || samebits(a->uv, b->uv, 2*nv*sizeof(double)), "(u,v) do not come back");
+	for (i = 0; a->uv && i < (size_t)a->first[nf]; i++)
+		fuzz_need(samebits(a->uv + 2*(size_t)a->idx[i], b->uv + 2*(size_t)a->idx[i], 2*sizeof(double)),
+		    "(u,v) do not come back");
 }
 
-/* Written as kind and read again. */
+/* Written in that format and read again. */
 static void
-comesback(const Soup *s, int kind, Parse *parse)
+comesback(const Soup *s, const MeshFormat *format, Parse *parse)
 {
 	Soup again;
-	char *p;
 	size_t n;
+	char *p;
+	int e;
 
-	fuzz_need(meshfile_format_soup(s, kind, &p, &n) == 0, "an accepted mesh cannot be written");
-	fuzz_need(parse(&again, p, n) == 0, "what was written is refused");
+	fuzz_need(meshfile_write(s, format, &p, &n) == 0, "an accepted mesh cannot be written");
+	e = parse(&again, p, n, MOST);
 	free(p);
+	fuzz_need(e == 0 || s->nv == 0, "what was written is refused");
+	if (e)
+		return;                 /* some formats hold no mesh without vertices */
 	same(s, &again);
 	soup_free(&again);
 }
 
-/* Triangles only: as STL, three own vertices each, rounded to float. */
+/* A format without shared vertices: triangles only, three own vertices each, rounded to float. */
 static void
-asstl(const Soup *s)
+apart(const Soup *s, const MeshFormat *format)
 {
-	const Mesh m = { s->nv, s->nf, s->xyz, s->idx };
 	Soup again;
 	size_t i, n;
 	char *p;
-	int f, e, c;
+	int e, c;
 
-	for (f = 0; f < s->nf; f++)
-		if (s->first[f+1] - s->first[f] != 3)
-			return;
-	if ((e = meshfile_format(&m, MESHFILE_STL, &p, &n)) == MESH_EVALUE)
-		return;                 /* beyond a float */
-	fuzz_need(e == 0, "an accepted mesh cannot be written as STL");
-	fuzz_need(meshfile_parse(&again, p, n) == 0, "what was written as STL is refused");
+	e = meshfile_write(s, format, &p, &n);
+	if (e == MESH_EVALUE || e == MESH_EFACE)
+		return;                 /* beyond a float, or a polygon */
+	fuzz_need(e == 0, "an accepted mesh cannot be written");
+	fuzz_need(meshfile_parse(&again, p, n, MOST) == 0, "what was written is refused");
 	free(p);
-	fuzz_need(again.nf == s->nf && again.nv == 3*s->nf, "STL comes back with other counts");
+	fuzz_need(again.nf == s->nf && again.nv == 3*s->nf, "triangles come back with other counts");
 	for (i = 0; i < (size_t)again.nv; i++)
 		for (c = 0; c < 3; c++)
 			fuzz_need(again.xyz[3*i + (size_t)c] == (double)(float)s->xyz[3*s->idx[i] + c],
-			    "STL comes back with other corners");
+			    "triangles come back with other corners");
 	soup_free(&again);
 }
 
-/* An OBJ gives no (u,v) to a vertex of no face, and without vertices it is no OBJ. */
-static int
-fitsobj(const Soup *s)
-{
-	char *used;
-	size_t i, n = 0;
-
-	if (!s->uv)
-		return s->nv > 0;
-	used = calloc((size_t)s->nv + 1, 1);
-	for (i = 0; i < (size_t)s->first[s->nf]; i++)
-		used[s->idx[i]] = 1;
-	for (i = 0; i < (size_t)s->nv; i++)
-		n += used[i];
-	free(used);
-	return n > 0 && n == (size_t)s->nv;
-}
-
-/* (u,v) are kept by OBJ and PLY only. */
+/* Written in the format that i chooses, or else in the next that is written and, if s has (u,v),
+ * carries them. */
 static void
-writtenas(const Soup *s, int kind, Parse *parse)
+written(const Soup *s, size_t i, Parse *parse)
 {
-	if (kind == MESHFILE_OBJ && !fitsobj(s))
-		kind = MESHFILE_PLY;
-	if (kind == MESHFILE_STL && !s->uv)
-		asstl(s);
+	const unsigned can = MESHFORMAT_WRITE | (s->uv ? MESHFORMAT_UV : 0);
+	const MeshFormat *f;
+	size_t rows = 0;
+
+	while (meshformat((int)rows))
+		rows++;
+	while (f = meshformat((int)(i % rows)), (f->can & can) != can)
+		i++;
+	if (f->can & MESHFORMAT_SHARED)
+		comesback(s, f, parse);
 	else
-		comesback(s, s->uv && kind != MESHFILE_OBJ ? MESHFILE_PLY : kind, parse);
+		apart(s, f);
 }
 
 static void
@@ -145,7 +140,7 @@ one(Parse *parse, const uint8_t *data, size_t n, size_t most)
 	int e;
 
 	fuzz_mark();
-	e = parse(&s, data, n);
+	e = parse(&s, data, n, MOST);
 	if (fuzz_peak() - before > most)
 		fprintf(stderr, "fuzz: %zu bytes for %zu, not %zu\n", fuzz_peak() - before, n, most);
 	fuzz_need(fuzz_peak() - before <= most, "too much memory");
@@ -153,7 +148,7 @@ one(Parse *parse, const uint8_t *data, size_t n, size_t most)
 		refused(&s);
 	} else {
 		valid(&s);
-		writtenas(&s, (int)(n % 4), parse);
+		written(&s, n, parse);
 		soup_free(&s);
 	}
 	fuzz_need(fuzz_live() == before, "memory is lost");

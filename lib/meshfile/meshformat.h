@@ -1,0 +1,45 @@
+/* meshformat.h - the table of mesh formats, one row for each.
+ *
+ * Reading, writing by the end of a file name, usage texts and messages take their lists from
+ * it.  To add a format: a file with its three functions, their prototypes in meshpriv.h and
+ * writepriv.h, and a row in meshformat.c.
+ */
+#ifndef MESHFORMAT_H
+#define MESHFORMAT_H
+
+#include <stddef.h>
+
+#include "../mesh/mesh.h"
+
+struct MeshStart;
+struct Reader;
+struct Text;
+
+enum {
+	MESHFORMAT_UV     = 1,  /* carries (u,v), read and written */
+	MESHFORMAT_SHARED = 2,  /* faces share vertices, which keep their number and order */
+	MESHFORMAT_WRITE  = 4   /* is written, not only read */
+};
+
+typedef struct MeshFormat {
+	const char *name;       /* "OFF" */
+	const char *ends;       /* of file names, with a blank between several: ".off" */
+	unsigned    can;        /* of the above */
+	int       (*recognise)(const struct MeshStart *);       /* meshpriv.h */
+	int       (*read)(struct Reader *);                     /* meshpriv.h */
+	int       (*write)(struct Text *, const Soup *);        /* writepriv.h */
+} MeshFormat;
+
+/* Row i, or NULL behind the last.  Row 0 is what a program writes to stdout. */
+const MeshFormat *meshformat(int i);
+
+/* The format that is written to a file of this name, by its end, in any case, or NULL. */
+const MeshFormat *meshformat_of(const char *file);
+
+/* Lists for texts and messages of the formats that can do all of can: "OFF, OBJ or PLY" with
+ * the word "or", and the ends of their file names, ".off .obj or .ply".  Both return buf. */
+enum { MESHFORMAT_LIST = 120 };
+char *meshformat_names(unsigned can, const char *word, char buf[MESHFORMAT_LIST]);
+char *meshformat_ends(unsigned can, char buf[MESHFORMAT_LIST]);
+
+#endif

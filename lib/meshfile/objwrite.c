@@ -1,0 +1,39 @@
+/* objwrite.c - a mesh as the bytes of an OBJ file. */
+#include "writepriv.h"
+
+static int
+objface(Text *t, const Soup *s, int f)
+{
+	const int *v;
+	int i, n = text_corners(s, f, &v);
+
+	for (i = -1; i < n; i++) {
+		if (!text_room(t))
+			return MESH_ENOMEM;
+		text_words(t, i < 0 ? "f" : " ");
+		if (i >= 0)
+			text_int(t, v[i] + 1);
+		if (i >= 0 && s->uv) {
+			text_words(t, "/");
+			text_int(t, v[i] + 1);
+		}
+	}
+	text_words(t, "\n");
+	return 0;
+}
+
+int
+obj_write(Text *t, const Soup *s)
+{
+	int f, e;
+
+	if (!text_room(t))
+		return MESH_ENOMEM;
+	text_modulus(t, s, "# ");
+	e = text_lines(t, s->xyz, s->nv, 3, "v ");
+	if (!e && s->uv)
+		e = text_lines(t, s->uv, s->nv, 2, "vt ");
+	for (f = 0; !e && f < s->nf; f++)
+		e = objface(t, s, f);
+	return e;
+}

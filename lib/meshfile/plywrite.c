@@ -1,0 +1,69 @@
+/* plywrite.c - a mesh as the bytes of a binary PLY file. */
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "writepriv.h"
+
+static void
+doubles(Text *t, const double *x, int n)
+{
+	uint64_t w;
+	int c;
+
+	for (c = 0; c < n; c++) {
+		memcpy(&w, &x[c], 8);
+		text_bytes(t, w, 8);
+	}
+}
+
+/* Bytes of the counts of corners, 1 or 4. */
+static int
+countsize(const Soup *s)
+{
+	const int *v;
+	int f;
+
+	for (f = 0; f < s->nf; f++)
+		if (text_corners(s, f, &v) > 255)
+			return 4;
+	return 1;
+}
+
+static void
+plyhead(Text *t, const Soup *s, int size)
+{
+	text_words(t, "ply\nformat binary_little_endian 1.0\n");
+	text_modulus(t, s, "comment ");
+	t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "element vertex %d\n"
+	    "property double x\nproperty double y\nproperty double z\n%s"
+	    "element face %d\nproperty list %s int vertex_indices\nend_header\n", s->nv,
+	    s->uv ? "property double s\nproperty double t\n" : "", s->nf, size > 1 ? "int" : "uchar");
+}
+
+int
+ply_write(Text *t, const Soup *s)
+{
+	const int size = countsize(s), *v;
+	int f, i, n;
+
+	if (!text_room(t))
+		return MESH_ENOMEM;
+	plyhead(t, s, size);
+	for (i = 0; i < s->nv; i++) {
+		if (!text_room(t))
+			return MESH_ENOMEM;
+		doubles(t, s->xyz + 3*(size_t)i, 3);
+		if (s->uv)
+			doubles(t, s->uv + 2*(size_t)i, 2);
+	}
+	for (f = 0; f < s->nf; f++) {
+		n = text_corners(s, f, &v);
+		for (i = -1; i < n; i++) {
+			if (!text_room(t))
+				return MESH_ENOMEM;
+			text_bytes(t, (uint64_t)(i < 0 ? n : v[i]), i < 0 ? size : 4);
+		}
+	}
+	return 0;
+}
