@@ -119,7 +119,7 @@ soak: all tests
 # The targets under libFuzzer, with what they need of the library and no more.
 FUZZ_SECONDS = 60
 FUZZLIB := $(patsubst %.c,build/fuzz/%.o,$(wildcard format/*.c) $(wildcard lib/meshfile/*.c) \
-           lib/mesh/fail.c lib/mesh/mesh.c)
+           lib/mesh/fail.c lib/mesh/mesh.c lib/mesh/channel.c)
 
 fuzz:
 	scripts/deps --fuzz

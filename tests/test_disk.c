@@ -10,6 +10,7 @@
 #include <string.h>
 #include <cmocka.h>
 
+#include "../lib/mesh/channel.h"
 #include "../lib/mesh/disk.h"
 #include "../lib/meshfile/meshfile.h"
 
@@ -410,16 +411,16 @@ uv_to_soup(void **state)
 
 	(void)state;
 	assert_int_equal(meshfile_parse(&s, text, strlen(text), 0), 0);
-	assert_true(!s.uv && s.T == 0);
+	assert_true(s.channels.n == 0 && s.T == 0);
 	assert_int_equal(disk_from_soup(&d, &s), 0);
 	for (i = 0; i < 2; i++) {
 		assert_int_equal(disk_uv(&d, u, v, 0.7, &s), 0);
 		assert_true(s.T == 0.7);
-		assert_memory_equal(s.uv, want, sizeof want);
+		assert_memory_equal(channel_values(&s.channels, MESH_UV), want, sizeof want);
 	}
 	disk_free(&d);
 	soup_free(&s);
-	assert_null(s.uv);
+	assert_int_equal(s.channels.n, 0);
 }
 
 /* The file of the mesh folder as bytes, or NULL. */

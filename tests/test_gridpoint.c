@@ -44,7 +44,7 @@ worst(Chart g, Function *f, int n, int m)
 	for (j = 0; j <= m; j++)
 		for (i = 0; i <= n; i++) {
 			u = (double)i/n, v = g.T*j/m;
-			gridpoint(g, (const double *const *)phi, u, v, x);
+			gridpoint(g, 3, (const double *const *)phi, u, v, x);
 			for (c = 0; c < 3; c++)
 				e = fmax(e, fabs(x[c] - f(u, v, c)));
 		}
@@ -136,7 +136,7 @@ slopes_agree(void **state)
 	for (i = 1; i < g.nu - 1; i++)
 		for (k = 0; k < 2; k++) {
 			for (c = -1; c <= 1; c++)
-				gridpoint(g, (const double *const *)phi, k ? u : i*chart_h(g) + c*d,
+				gridpoint(g, 3, (const double *const *)phi, k ? u : i*chart_h(g) + c*d,
 				    k ? i%(g.nv - 2)*chart_k(g) + chart_k(g) + c*d : v, x[c+1]);
 			for (c = 0; c < 3; c++)
 				assert_true(fabs(x[2][c] - 2*x[1][c] + x[0][c])/d < 0.01);
@@ -144,44 +144,53 @@ slopes_agree(void **state)
 	drop(phi);
 }
 
+/* The vertices of a mesh of four at their (u,v), T known or 0. */
+static int
+moved(Chart g, const double *const phi[3], double T, const double uv[8], double x[12], double to[8], int *at)
+{
+	static const double xyz[12] = { 9, 9, 9, 8, 8, 8, 7, 7, 7, 6, 6, 6 };
+	int e = gridpoint_uv(g, T, 4, uv, to, at);
+
+	memcpy(x, xyz, sizeof xyz);
+	if (!e)
+		gridpoint_vertices(g, 3, phi, 4, to, x);
+	return e;
+}
+
 static void
 meshes_are_moved(void **state)
 {
 	const Chart g = { 9, 9, 0.5, &CHART_RECTANGLE };
-	double xyz[12] = { 9, 9, 9, 8, 8, 8, 7, 7, 7, 6, 6, 6 }, uv[8], to[8], x[12], want[3];
-	Soup s = { .nv = 4, .xyz = xyz, .uv = uv };
-	double *phi[3];
+	double uv[8] = { 0.3, 0.4, -1, -1, 1 + 5e-7, -1e-7, 0.5, 0.25 }, to[8], x[12], want[3], *mine[3];
+	const double *const *phi = (const double *const *)mine;
 	int at, c;
 
 	(void)state;
-	fill(g, cubic, phi);
-	memcpy(uv, (double[8]){ 0.3, 0.4, -1, -1, 1 + 5e-7, -1e-7, 0.5, 0.25 }, sizeof uv);
-	assert_int_equal(gridpoint_move(g, (const double *const *)phi, &s, x, to, &at), 0);
+	fill(g, cubic, mine);
+	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), 0);
 	assert_true(x[3] == 8 && x[4] == 8 && x[5] == 8 && to[2] == -1 && to[3] == -1);
 	assert_true(to[0] == 0.3 && to[1] == 0.4 && to[4] == 1 && to[5] == 0);
 	for (c = 0; c < 3; c++) {
 		assert_true(fabs(x[c] - cubic(0.3, 0.4, c)) < 1e-14);
 		assert_true(fabs(x[6+c] - cubic(1, 0, c)) < 1e-14);
 	}
-	s.T = 2;                        /* v = 0.4 of 2 is 0.1 of 0.5 */
-	assert_int_equal(gridpoint_move(g, (const double *const *)phi, &s, x, to, &at), 0);
+	assert_int_equal(moved(g, phi, 2, uv, x, to, &at), 0);          /* v = 0.4 of 2 is 0.1 of 0.5 */
 	for (c = 0; c < 3; c++)
 		assert_true(fabs(x[c] - cubic(0.3, 0.1, c)) < 1e-14);
 	uv[7] = 2;                      /* the top stays the top */
-	assert_int_equal(gridpoint_move(g, (const double *const *)phi, &s, x, to, &at), 0);
-	gridpoint(g, (const double *const *)phi, 0.5, 0.5, want);
+	assert_int_equal(moved(g, phi, 2, uv, x, to, &at), 0);
+	gridpoint(g, 3, phi, 0.5, 0.5, want);
 	assert_true(to[7] == 0.5 && x[9] == want[0]);
-	s.T = 0;                        /* units of the grid */
-	assert_int_equal(gridpoint_move(g, (const double *const *)phi, &s, x, to, &at), GRIDPOINT_EOUT);
+	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);     /* units of the grid */
 	assert_int_equal(at, 3);
 	uv[7] = 0.5, uv[4] = 1.00001;
-	assert_int_equal(gridpoint_move(g, (const double *const *)phi, &s, x, to, &at), GRIDPOINT_EOUT);
+	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);
 	assert_int_equal(at, 2);
 	uv[4] = -1;                     /* one of the two is not enough */
-	assert_int_equal(gridpoint_move(g, (const double *const *)phi, &s, x, to, &at), GRIDPOINT_EOUT);
+	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);
 	uv[4] = NAN;
-	assert_int_equal(gridpoint_move(g, (const double *const *)phi, &s, x, to, &at), GRIDPOINT_EOUT);
-	drop(phi);
+	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);
+	drop(mine);
 }
 
 int

@@ -13,6 +13,7 @@
 #include <zlib.h>
 #include <cmocka.h>
 
+#include "../lib/mesh/channel.h"
 #include "../lib/meshfile/meshfile.h"
 
 static const size_t MOST = (size_t)1 << 32;      /* that gzip data may unpack to */
@@ -710,6 +711,12 @@ every_kind_gzipped(void **state)
 			same_gzipped(buf, binaryfile(buf, k & 1, k >> 1 & 1, k >> 2 & 1));
 }
 
+static double *
+uv_of(const Soup *s)
+{
+	return channel_values(&s->channels, MESH_UV);
+}
+
 static int
 parseuv(Soup *s, const void *bytes, size_t n)
 {
@@ -720,7 +727,7 @@ parseuv(Soup *s, const void *bytes, size_t n)
 	e = meshfile_parse_uv(s, copy, n, MOST);
 	free(copy);
 	if (e)
-		assert_true(!s->xyz && !s->first && !s->idx && !s->uv && s->err[0] && !strchr(s->err, '\n'));
+		assert_true(!s->xyz && !s->first && !s->idx && !s->channels.n && s->err[0] && !strchr(s->err, '\n'));
 	return e;
 }
 
@@ -735,12 +742,12 @@ readsuv(const char *text, double T, int nv, const double *uv)
 		fail_msg("'%s': %s", text, s.err);
 	assert_int_equal(s.nv, nv);
 	for (i = 0; i < 2*nv; i++)
-		if (s.uv[i] != uv[i])
-			fail_msg("'%s': number %d is %g", text, i, s.uv[i]);
+		if (uv_of(&s)[i] != uv[i])
+			fail_msg("'%s': number %d is %g", text, i, uv_of(&s)[i]);
 	assert_true(s.T == T);
 	soup_free(&s);
 	assert_int_equal(parse(&s, text, strlen(text)), 0);
-	assert_true(!s.uv && s.T == 0 && s.nv == nv);
+	assert_true(!uv_of(&s) && s.T == 0 && s.nv == nv);
 	soup_free(&s);
 }
 
@@ -831,12 +838,13 @@ static Soup
 polygons(int n)
 {
 	Soup s = { .nv = n + 1, .nf = 3, .T = 1/3., .xyz = malloc((size_t)(n + 1) * 24), .first = malloc(16),
-	    .idx = malloc((size_t)(n + 7) * 4), .uv = malloc((size_t)(n + 1) * 16) };
+	    .idx = malloc((size_t)(n + 7) * 4) };
+	double *uv = channel_add(&s.channels, MESH_UV, 2, (size_t)n + 1);
 	int i;
 
 	for (i = 0; i <= n; i++) {
 		s.xyz[3*i] = cos(i), s.xyz[3*i+1] = sin(i)*1e-9, s.xyz[3*i+2] = i/7.;
-		s.uv[2*i] = i < n ? i/(n + 1.) : -1, s.uv[2*i+1] = i < n ? s.T/(i + 1) : -1;
+		uv[2*i] = i < n ? i/(n + 1.) : -1, uv[2*i+1] = i < n ? s.T/(i + 1) : -1;
 	}
 	for (i = 0; i < n + 7; i++)
 		s.idx[i] = i < 3 ? i : i < 7 ? n - i + 2 : i - 7;
@@ -862,16 +870,17 @@ soup_round_trip(void **state)
 		for (row = 0; (f = meshformat(row)); row++)
 			for (uv = 0; (f->can & MESHFORMAT_SHARED) && uv < (f->can & MESHFORMAT_UV ? 2 : 1); uv++) {
 				plain = a;
-				plain.uv = uv ? a.uv : NULL;
+				if (!uv)
+					plain.channels = (Channels){ 0 };
 				assert_int_equal(meshfile_write(&plain, f, &p, &n), 0);
 				assert_int_equal(uv ? parseuv(&b, p, n) : parse(&b, p, n), 0);
 				assert_true(b.nv == a.nv && b.nf == a.nf && b.T == (uv ? a.T : 0));
 				assert_memory_equal(b.xyz, a.xyz, (size_t)a.nv * 24);
 				assert_memory_equal(b.first, a.first, 16);
 				assert_memory_equal(b.idx, a.idx, (size_t)a.first[3] * 4);
-				assert_true(!b.uv == !uv);
+				assert_true(!uv_of(&b) == !uv);
 				if (uv)
-					assert_memory_equal(b.uv, a.uv, (size_t)a.nv * 16);
+					assert_memory_equal(uv_of(&b), uv_of(&a), (size_t)a.nv * 16);
 				assert_int_equal(meshfile_write(&b, f, &q, &nq), 0);
 				assert_true(nq == n && memcmp(p, q, n) == 0);
 				free(p);
@@ -907,7 +916,7 @@ damaged_uv(void **state)
 				if (parseuv(&s, copy, n))
 					continue;
 				for (c = 0; c < 2*s.nv; c++)
-					assert_true(isfinite(s.uv[c]));
+					assert_true(isfinite(uv_of(&s)[c]));
 				assert_true(s.T >= 0 && isfinite(s.T));
 				soup_free(&s);
 			}

@@ -1,8 +1,10 @@
 /* gridfile.c - a grid as the bytes of a mesh file, for grid2mesh. */
 #include <stdlib.h>
+#include <string.h>
 
 #include "../../lib/grid/gridmesh.h"
 #include "../../lib/grid/gridpoint.h"
+#include "../../lib/mesh/channel.h"
 #include "../../lib/meshfile/meshfile.h"
 #include "../shared/chartof.h"
 #include "../shared/load.h"
@@ -11,11 +13,13 @@
 void
 gridfile_on(const char *path, Soup *s)
 {
+	const double *uv;
 	int p, none = 0;
 
 	load_soup(path, 1, s);
+	uv = channel_values(&s->channels, MESH_UV);
 	for (p = 0; p < s->nv; p++)
-		none += s->uv[2*(size_t)p] == -1 && s->uv[2*(size_t)p+1] == -1;
+		none += uv[2*(size_t)p] == -1 && uv[2*(size_t)p+1] == -1;
 	if (none)
 		note("%s: %d %s without (u,v) %s in place", cmd_name_of(path), none,
 		    none == 1 ? "vertex" : "vertices", none == 1 ? "stays" : "stay");
@@ -41,19 +45,25 @@ moved(const Lhg *g, const double *const phi[3], const Soup *on, const char *name
 	char **bytes, size_t *n)
 {
 	const Chart chart = chart_of(g);
+	const double *was = channel_values(&on->channels, MESH_UV);
 	Soup s = *on;
+	double *uv;
 	int at;
 
 	s.T = g->T;
 	s.xyz = cmd_alloc((size_t)on->nv, 3*sizeof *s.xyz);
-	s.uv = cmd_alloc((size_t)on->nv, 2*sizeof *s.uv);
-	if (gridpoint_move(chart, phi, on, s.xyz, s.uv, &at))
+	memcpy(s.xyz, on->xyz, 3*(size_t)on->nv*sizeof *s.xyz);
+	s.channels = (Channels){ 0 };
+	if (!(uv = channel_add(&s.channels, MESH_UV, 2, (size_t)on->nv)))
+		die("%s: no memory for the (u,v) of %d vertices", name, on->nv);
+	if (gridpoint_uv(chart, on->T, on->nv, was, uv, &at))
 		die("%s: vertex %d has (u,v) = (%g,%g), outside [0,1] x [0,%g]", name, at,
-		    on->uv[2*(size_t)at], on->uv[2*(size_t)at+1], on->T > 0 ? on->T : g->T);
+		    was[2*(size_t)at], was[2*(size_t)at+1], on->T > 0 ? on->T : g->T);
+	gridpoint_vertices(chart, 3, phi, on->nv, uv, s.xyz);
 	if (meshfile_write(&s, format, bytes, n))
 		die("%s: no memory for a mesh of %d vertices", name, s.nv);
 	free(s.xyz);
-	free(s.uv);
+	channels_free(&s.channels);
 }
 
 void

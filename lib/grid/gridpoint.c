@@ -1,4 +1,4 @@
-/* gridpoint.c - a gridded surface between its nodes. */
+/* gridpoint.c - channels of a grid between its nodes. */
 #include <math.h>
 #include <string.h>
 
@@ -8,13 +8,13 @@
 static const double SLACK = 1e-6;       /* by which (u,v) may lie outside, of a side */
 
 void
-gridpoint(Chart g, const double *const phi[3], double u, double v, double x[3])
+gridpoint(Chart g, int n, const double *const f[], double u, double v, double *x)
 {
 	const Bicubic b = bicubic_at(g.nu, g.nv, u*(g.nu - 1), v/g.T*(g.nv - 1));
 	int c;
 
-	for (c = 0; c < 3; c++)
-		x[c] = bicubic_value(&b, phi[c]);
+	for (c = 0; c < n; c++)
+		x[c] = bicubic_value(&b, f[c]);
 }
 
 static int
@@ -23,19 +23,21 @@ within(double x, double side)
 	return x >= -SLACK*side && x <= (1 + SLACK)*side;
 }
 
-int
-gridpoint_move(Chart g, const double *const phi[3], const Soup *s, double *xyz, double *uv, int *at)
+static int
+has_uv(const double *uv)
 {
-	const double T = s->T > 0 ? s->T : g.T;
+	return uv[0] != -1 || uv[1] != -1;
+}
+
+int
+gridpoint_uv(Chart g, double T, int nv, const double *from, double *to, int *at)
+{
 	int p;
 
-	for (p = 0; p < s->nv; p++) {
-		const double *from = s->uv + 2*(size_t)p;
-		double *to = uv + 2*(size_t)p, *x = xyz + 3*(size_t)p;
-
+	T = T > 0 ? T : g.T;
+	for (p = 0; p < nv; p++, from += 2, to += 2) {
 		memcpy(to, from, 2*sizeof *to);
-		memcpy(x, s->xyz + 3*(size_t)p, 3*sizeof *x);
-		if (from[0] == -1 && from[1] == -1)
+		if (!has_uv(from))
 			continue;
 		if (!within(from[0], 1) || !within(from[1], T)) {
 			*at = p;
@@ -45,7 +47,16 @@ gridpoint_move(Chart g, const double *const phi[3], const Soup *s, double *xyz, 
 		to[1] = fmin(fmax(from[1], 0), T);
 		if (T != g.T)
 			to[1] = fmin(to[1]/T*g.T, g.T);
-		gridpoint(g, phi, to[0], to[1], x);
 	}
 	return 0;
+}
+
+void
+gridpoint_vertices(Chart g, int n, const double *const f[], int nv, const double *uv, double *x)
+{
+	int p;
+
+	for (p = 0; p < nv; p++, uv += 2, x += n)
+		if (has_uv(uv))
+			gridpoint(g, n, f, uv[0], uv[1], x);
 }

@@ -1,30 +1,36 @@
-/* gridpoint.h - a gridded surface between its nodes., by bicubic.h. */
+/* gridpoint.h - a gridded surface and other channels of a grid between its nodes, by bicubic.h. */
 #ifndef GRIDPOINT_H
 #define GRIDPOINT_H
 
 #include "../base/chart.h"
-#include "../mesh/mesh.h"
 
 enum {
 	GRIDPOINT_EOUT = -1     /* vertex *at lies outside the rectangle */
 };
 
-/* phi(u,v).
+/* n channels at (u,v).
  *
- * phi      in   phi[0], phi[1], phi[2]: x, y, z, each [g.nv][g.nu], at least 2 x 2
+ * f        in   f[0] .. f[n-1], each [g.nv][g.nu], at least 2 x 2
  * u, v     in   clamped to [0,1] x [0,g.T]
- * x        out */
-void gridpoint(Chart g, const double *const phi[3], double u, double v, double x[3]);
+ * x        out  [n] */
+void gridpoint(Chart g, int n, const double *const f[], double u, double v, double *x);
 
-/* The vertices of s at their (u,v), where s->uv has any: those of (-1,-1) stay where they
- * are.  When s->T is known and differs from g.T, v is scaled by g.T/s->T.
+/* The (u,v) of the vertices of a mesh in the rectangle of g, clamped to it.  v is scaled by g.T/T
+ * unless T is 0, not known.  (-1,-1), no (u,v), stays.
  *
- * s        in   uv must be there; u in [0,1] and v in [0,T], to 1e-6 of it (mesh files
- *               that other programs wrote may hold floats)
- * xyz, uv  out  [s->nv][3] and [s->nv][2]: positions, and (u,v) in the rectangle of g
+ * from     in   [nv][2], u in [0,1] and v in [0,T], to 1e-6 of it (mesh files that other
+ *               programs wrote may hold floats)
+ * to       out  [nv][2]
  *
  * Returns 0 or GRIDPOINT_EOUT. */
-int gridpoint_move(Chart g, const double *const phi[3], const Soup *s, double *xyz, double *uv,
-	int *at);
+int gridpoint_uv(Chart g, double T, int nv, const double *from, double *to, int *at);
+
+/* n channels of a grid brought to the vertices of a mesh at their (u,v); a vertex without keeps its
+ * values.
+ *
+ * uv       in   [nv][2], of gridpoint_uv
+ * x        in   [nv][n]
+ *          out  the same */
+void gridpoint_vertices(Chart g, int n, const double *const f[], int nv, const double *uv, double *x);
 
 #endif

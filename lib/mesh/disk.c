@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "channel.h"
 #include "disk.h"
 #include "fail.h"
 #include "polygon.h"
@@ -50,7 +51,7 @@ checkfinite(const Soup *s, char *err)
 }
 
 /* Number the vertices anew: vertex v becomes to[v] < nnew, or goes where that is -1.
- * Of several that become one, the first gives position and name. */
+ * Of several that become one, the first gives position, channels and name. */
 static void
 renumber(Disk *d, const int *to, int nnew)
 {
@@ -216,6 +217,8 @@ build(Disk *d, const Soup *s, int *scratch)
 	dropunused(d, scratch);
 	if (issoup(s, scratch) && (e = weld(d, scratch)) != 0)
 		return e;
+	if (channels_gather(&d->channels, &s->channels, m->nv, d->file, 0))
+		return mesh_fail(d->err, MESH_ENOMEM, "no memory for the channels of %d vertices", m->nv);
 	return checkdisk(d);
 }
 
@@ -261,20 +264,34 @@ disk_flip(Disk *d)
 }
 
 int
+disk_give(const Disk *d, const char *name, int n, const double *f, double none, Soup *s)
+{
+	double *to = channel_add(&s->channels, name, n, (size_t)s->nv);
+	int i, k;
+
+	if (!to)
+		return mesh_fail(s->err, MESH_ENOMEM, "no memory for %d x %d numbers", s->nv, n);
+	for (i = 0; i < s->nv; i++, to += n)
+		for (k = 0; k < n; k++)
+			to[k] = d->became[i] < 0 ? none : f[(size_t)n*(size_t)d->became[i] + (size_t)k];
+	return 0;
+}
+
+int
 disk_uv(const Disk *d, const double *u, const double *v, double T, Soup *s)
 {
+	double *uv = mesh_alloc(s->err, (size_t)d->m.nv, 2 * sizeof *uv);
 	size_t i;
-	int k;
+	int e;
 
-	if (!s->uv)
-		s->uv = mesh_alloc(s->err, (size_t)s->nv, 2 * sizeof *s->uv);
-	if (!s->uv)
+	if (!uv)
 		return MESH_ENOMEM;
-	s->T = T;
-	for (i = 0; i < (size_t)s->nv; i++) {
-		k = d->became[i];
-		s->uv[2*i] = k < 0 ? -1 : fmin(fmax(u[k], 0), 1);
-		s->uv[2*i+1] = k < 0 ? -1 : fmin(fmax(v[k], 0), T);
+	for (i = 0; i < (size_t)d->m.nv; i++) {
+		uv[2*i] = fmin(fmax(u[i], 0), 1);
+		uv[2*i+1] = fmin(fmax(v[i], 0), T);
 	}
-	return 0;
+	s->T = T;
+	e = disk_give(d, MESH_UV, 2, uv, -1, s);
+	free(uv);
+	return e;
 }

@@ -12,6 +12,8 @@
  * two faces, one orientation, one component, vertices with one fan, one boundary loop,
  * no handles.
  *
+ * The channels of s are carried along; of welded vertices the first gives them.
+ *
  * s is only read.  Returns 0, MESH_ENOMEM, MESH_EINDEX, MESH_EVALUE, MESH_EFACE,
  * MESH_EMANIFOLD, MESH_EORIENT or MESH_EDISK, with the reason in d->err; d then holds
  * nothing to free. */
@@ -21,14 +23,17 @@ int disk_from_soup(Disk *d, const Soup *s);
  * begins at its lowest vertex. */
 void disk_flip(Disk *d);
 
-/* The (u,v) of a disk's vertices given to the vertices of the soup it was made from:
- * s->uv, (-1,-1) for those that were dropped, and s->T.  What lies outside
- * [0,1] x [0,T], as a map of negative cotangents may, is put on its border.
+/* A channel of the disk given to the soup it was made from, under that name: f, n numbers at each
+ * vertex of d; none at the vertices that were dropped.
  *
- * u, v     in   [d->m.nv]
- * s        in   the soup of disk_from_soup; its uv is allocated or overwritten
+ * f        in   [d->m.nv][n]
+ * s        in   the soup of disk_from_soup; a channel of that name is overwritten
  *
  * Returns 0 or MESH_ENOMEM, with the reason in s->err. */
+int disk_give(const Disk *d, const char *name, int n, const double *f, double none, Soup *s);
+
+/* The same for the (u,v) of the disk, [d->m.nv] each: the channel MESH_UV of s, and s->T.  (u,v)
+ * outside [0,1] x [0,T], which a map of negative cotangents may have, are moved to its border. */
 int disk_uv(const Disk *d, const double *u, const double *v, double T, Soup *s);
 
 #endif

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "channel.h"
 #include "mesh.h"
 
 void
@@ -10,8 +11,8 @@ soup_free(Soup *s)
 	free(s->xyz);
 	free(s->first);
 	free(s->idx);
-	free(s->uv);
-	s->xyz = s->uv = NULL;
+	channels_free(&s->channels);
+	s->xyz = NULL;
 	s->first = s->idx = NULL;
 	s->nv = s->nf = 0;
 }
@@ -34,6 +35,7 @@ disk_free(Disk *d)
 	free(d->twin);
 	free(d->file);
 	free(d->became);
+	channels_free(&d->channels);
 	d->loop = d->twin = d->file = d->became = NULL;
 	d->nb = d->nfile = 0;
 }

@@ -21,6 +21,22 @@ enum {
 
 enum { MESH_ERRLEN = 256 };
 
+enum { CHANNEL_NAME = 32 };
+#define MESH_UV "uv"            /* the channel of places in the rectangle [0,1] x [0,T], two numbers;
+                                 * (-1,-1) where a vertex has none */
+
+/* Numbers at every vertex, beside its position. */
+typedef struct Channel {
+	char    name[CHANNEL_NAME];
+	int     n;              /* of each vertex: 1 for a scalar, 3 for a colour */
+	double *f;              /* [nv][n] */
+} Channel;
+
+typedef struct Channels {
+	int      n;
+	Channel *channel;       /* [n] */
+} Channels;
+
 /* Polygons as they come.  Face f has the corners idx[first[f]] .. idx[first[f+1]-1]. */
 typedef struct Soup {
 	int     nv, nf;
@@ -28,9 +44,8 @@ typedef struct Soup {
 	int    *first;          /* [nf+1] */
 	int    *idx;
 	char    err[MESH_ERRLEN];
-	double *uv;             /* [nv][2] places in the rectangle [0,1] x [0,T], (-1,-1) where
-	                         * a vertex has none; NULL: not asked for */
-	double  T;              /* 0: not known */
+	Channels channels;
+	double  T;              /* of the rectangle of MESH_UV; 0: not known */
 } Soup;
 
 typedef struct Mesh {
@@ -52,6 +67,7 @@ typedef struct Disk {
 	                         * from; of welded ones the lowest */
 	int  nfile;
 	int *became;            /* [nfile] the vertex that each of the soup's became, -1: dropped */
+	Channels channels;      /* of the soup, at the vertices of m */
 	char note[MESH_ERRLEN]; /* what was repaired, "" if nothing was */
 	char err[MESH_ERRLEN];
 } Disk;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "channel.h"
 #include "refine.h"
 #include "topology.h"
 #include "../base/vec3.h"
@@ -98,20 +99,40 @@ number_cuts(Split *s, int *faces)
 	return n - s->d->m.nv;
 }
 
+/* n numbers of each vertex: f of the old ones to `to`, there followed by those of the new ones, each
+ * the mean of the ends of its side. */
 static void
-place(const Split *s, double *xyz)
+place(const Split *s, int n, const double *f, double *to)
 {
 	const double *a, *b;
 	int side, c;
 
+	memcpy(to, f, (size_t)n*(size_t)s->d->m.nv*sizeof *to);
 	for (side = 0; side < 3*s->t.nf; side++) {
 		if (s->mid[side] < 0)
 			continue;
-		a = &s->d->m.xyz[3*topology_from(&s->t, side)];
-		b = &s->d->m.xyz[3*topology_to(&s->t, side)];
-		for (c = 0; c < 3; c++)
-			xyz[3*(size_t)s->mid[side] + c] = (a[c] + b[c])/2;
+		a = &f[(size_t)n*topology_from(&s->t, side)];
+		b = &f[(size_t)n*topology_to(&s->t, side)];
+		for (c = 0; c < n; c++)
+			to[(size_t)n*s->mid[side] + c] = (a[c] + b[c])/2;
 	}
+}
+
+static int
+place_channels(const Split *s, Disk *finer)
+{
+	const Channels *from = &s->d->channels;
+	double *to;
+	int k;
+
+	for (k = 0; k < from->n; k++) {
+		const Channel *c = &from->channel[k];
+
+		if (!(to = channel_add(&finer->channels, c->name, c->n, (size_t)finer->m.nv)))
+			return MESH_ENOMEM;
+		place(s, c->n, c->f, to);
+	}
+	return 0;
 }
 
 /* A new face; returns its side a b. */
@@ -260,8 +281,9 @@ build(Split *s, Disk *finer)
 	s->part = malloc(6*(size_t)s->t.nf*sizeof *s->part);
 	if (!m->xyz || !m->tri || !s->twin || !s->part)
 		return MESH_ENOMEM;
-	memcpy(m->xyz, s->d->m.xyz, 3*(size_t)s->d->m.nv*sizeof *m->xyz);
-	place(s, m->xyz);
+	place(s, 3, s->d->m.xyz, m->xyz);
+	if (place_channels(s, finer))
+		return MESH_ENOMEM;
 	for (f = 0; f < s->t.nf; f++)
 		emit_face(s, f);
 	sew_sides(s);

@@ -7,7 +7,7 @@
 /* Split the marked faces ([nf], 1 or 0) into four and their neighbours as far as needed
  * for a conforming mesh, by longest-edge bisection (Rivara): angles stay bounded by half
  * of the smallest there was, obtuse ones are cut.  New vertices are midpoints of edges
- * and numbered after the old, which keep number and place.  With marked NULL, all faces into
+ * and numbered after the old, which keep number and place; their channels are means of the ends.  With marked NULL, all faces into
  * four similar ones.
  *
  * finer  out  a disk of the same surface (its note and err are ""); disk_free it

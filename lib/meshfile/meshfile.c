@@ -153,7 +153,7 @@ plain(Soup *s, const char *p, size_t n, int wantuv)
 	if ((e = soup_reserve(&r, 0, 0, 0)) == 0 && (e = format->read(&r)) == 0)
 		e = finish(&r);
 	if (!e && wantuv)
-		e = uv_check(s);
+		e = uv_check(&r);
 	if (e)
 		soup_free(s);
 	return e;

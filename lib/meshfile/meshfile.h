@@ -33,8 +33,8 @@
  * it grows, 4 for each byte given, 64 KiB for zlib). */
 int meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most);
 
-/* The same, with the (u,v) of every vertex in s->uv and the T they belong to in s->T, 0 if
- * the file does not say it:
+/* The same, with the (u,v) of every vertex in the channel MESH_UV and the T they belong to in
+ * s->T, 0 if the file does not say it:
  *
  * OBJ  vt lines and corners a/b or a/b/c; T from a line "# lhgrid T 0.91"
  * PLY  vertex properties s t, or u v, or texture_u texture_v; T from "comment lhgrid T 0.91"
@@ -48,8 +48,8 @@ int meshfile_parse_uv(Soup *s, const void *bytes, size_t n, size_t most);
  * MESH_EFORMAT with the reason in err: an endless pipe is refused before it is read. */
 int meshfile_promising(const void *head, size_t n, size_t most, char err[MESH_ERRLEN]);
 
-/* s as a file: its vertices and polygons as they are, and when s->uv is there its (u,v) and T
- * if the format carries them.  OFF and OBJ are text that gives back every double, PLY is
+/* s as a file: its vertices and polygons as they are, and its channel MESH_UV and T if it
+ * has them and the format carries them.  OFF and OBJ are text that gives back every double, PLY is
  * binary_little_endian double, STL binary float.  *bytes is malloc'd, *n its length.
  * Returns 0, MESH_ENOMEM, MESH_EVALUE: a coordinate exceeds what the format holds, or
  * MESH_EFACE: the format holds triangles only. */

@@ -11,7 +11,8 @@ typedef struct Reader {
 	const char *p, *end;    /* what is left */
 	long   line;            /* of p, from 1 */
 	int    hash;            /* # begins a comment */
-	int    wantuv;          /* fill s->uv and s->T */
+	int    wantuv;          /* read MESH_UV and s->T */
+	double *uv;             /* the values of MESH_UV, once uv_start made it */
 	Soup  *s;
 	size_t ni;              /* corners, those of the open face included */
 	size_t capv, capf, capi;
@@ -68,7 +69,7 @@ int uv_modulus(Reader *r);
 int uv_start(Reader *r, size_t nv);
 
 /* Is every (u,v) finite?  0 or MESH_EVALUE. */
-int uv_check(Soup *s);
+int uv_check(const Reader *r);
 
 /* What is known of a file before it is read: its first n bytes, its first word without the
  * comments before it, and bounds on its size, both n when all of it is here. */

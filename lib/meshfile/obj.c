@@ -177,7 +177,7 @@ static int
 settle(Obj *o, int f, int c, int v)
 {
 	Soup *s = o->r->s;
-	double *uv = s->uv + 2*(size_t)v;
+	double *uv = o->r->uv + 2*(size_t)v;
 	const double *x;
 
 	if (o->of[c] < 0)

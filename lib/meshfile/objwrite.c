@@ -1,8 +1,9 @@
 /* objwrite.c - a mesh as the bytes of an OBJ file. */
+#include "../mesh/channel.h"
 #include "writepriv.h"
 
 static int
-objface(Text *t, const Soup *s, int f)
+objface(Text *t, const Soup *s, int f, int with_uv)
 {
 	const int *v;
 	int i, n = text_corners(s, f, &v);
@@ -13,7 +14,7 @@ objface(Text *t, const Soup *s, int f)
 		text_words(t, i < 0 ? "f" : " ");
 		if (i >= 0)
 			text_int(t, v[i] + 1);
-		if (i >= 0 && s->uv) {
+		if (i >= 0 && with_uv) {
 			text_words(t, "/");
 			text_int(t, v[i] + 1);
 		}
@@ -25,15 +26,16 @@ objface(Text *t, const Soup *s, int f)
 int
 obj_write(Text *t, const Soup *s)
 {
+	const double *uv = channel_values(&s->channels, MESH_UV);
 	int f, e;
 
 	if (!text_room(t))
 		return MESH_ENOMEM;
 	text_modulus(t, s, "# ");
 	e = text_lines(t, s->xyz, s->nv, 3, "v ");
-	if (!e && s->uv)
-		e = text_lines(t, s->uv, s->nv, 2, "vt ");
+	if (!e && uv)
+		e = text_lines(t, uv, s->nv, 2, "vt ");
 	for (f = 0; !e && f < s->nf; f++)
-		e = objface(t, s, f);
+		e = objface(t, s, f, uv != NULL);
 	return e;
 }

@@ -135,7 +135,7 @@ record(Record *c)
 			c->x[q->use] = x;
 	}
 	if (c->e->kind == PLY_VERTEX && c->p->uv)
-		memcpy(c->p->r->s->uv + 2*c->i, c->x + c->p->uv, 2 * sizeof *c->x);
+		memcpy(c->p->r->uv + 2*c->i, c->x + c->p->uv, 2 * sizeof *c->x);
 	if (c->e->kind == PLY_VERTEX)
 		return soup_vertex(c->p->r, c->x);
 	return c->e->kind == PLY_FACE ? soup_face(c->p->r) : 0;

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "../mesh/channel.h"
 #include "writepriv.h"
 
 static void
@@ -31,31 +32,32 @@ countsize(const Soup *s)
 }
 
 static void
-plyhead(Text *t, const Soup *s, int size)
+plyhead(Text *t, const Soup *s, const double *uv, int size)
 {
 	text_words(t, "ply\nformat binary_little_endian 1.0\n");
 	text_modulus(t, s, "comment ");
 	t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "element vertex %d\n"
 	    "property double x\nproperty double y\nproperty double z\n%s"
 	    "element face %d\nproperty list %s int vertex_indices\nend_header\n", s->nv,
-	    s->uv ? "property double s\nproperty double t\n" : "", s->nf, size > 1 ? "int" : "uchar");
+	    uv ? "property double s\nproperty double t\n" : "", s->nf, size > 1 ? "int" : "uchar");
 }
 
 int
 ply_write(Text *t, const Soup *s)
 {
+	const double *uv = channel_values(&s->channels, MESH_UV);
 	const int size = countsize(s), *v;
 	int f, i, n;
 
 	if (!text_room(t))
 		return MESH_ENOMEM;
-	plyhead(t, s, size);
+	plyhead(t, s, uv, size);
 	for (i = 0; i < s->nv; i++) {
 		if (!text_room(t))
 			return MESH_ENOMEM;
 		doubles(t, s->xyz + 3*(size_t)i, 3);
-		if (s->uv)
-			doubles(t, s->uv + 2*(size_t)i, 2);
+		if (uv)
+			doubles(t, uv + 2*(size_t)i, 2);
 	}
 	for (f = 0; f < s->nf; f++) {
 		n = text_corners(s, f, &v);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../mesh/channel.h"
 #include "writepriv.h"
 
 int
@@ -88,7 +89,7 @@ text_lines(Text *t, const double *x, int nv, int n, const char *before)
 void
 text_modulus(Text *t, const Soup *s, const char *before)
 {
-	if (!s->uv || !(s->T > 0))
+	if (!channel_find(&s->channels, MESH_UV) || !(s->T > 0))
 		return;
 	text_words(t, before);
 	text_words(t, "lhgrid T ");

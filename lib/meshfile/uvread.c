@@ -1,6 +1,7 @@
 /* uvread.c - the (u,v) that a mesh file may carry. */
 #include <math.h>
 
+#include "../mesh/channel.h"
 #include "meshpriv.h"
 
 int
@@ -27,22 +28,22 @@ uv_start(Reader *r, size_t nv)
 	size_t i;
 
 	nv = nv > (size_t)s->nv ? nv : (size_t)s->nv;
-	s->uv = mesh_alloc(s->err, nv, 2 * sizeof *s->uv);
-	if (!s->uv)
-		return MESH_ENOMEM;
+	r->uv = channel_add(&s->channels, MESH_UV, 2, nv);
+	if (!r->uv)
+		return mesh_fail(s->err, MESH_ENOMEM, "no memory for the (u,v) of %zu vertices", nv);
 	for (i = 0; i < 2*nv; i++)
-		s->uv[i] = -1;
+		r->uv[i] = -1;
 	return 0;
 }
 
 int
-uv_check(Soup *s)
+uv_check(const Reader *r)
 {
 	size_t i;
 
-	for (i = 0; i < 2*(size_t)s->nv; i++)
-		if (!isfinite(s->uv[i]))
-			return mesh_fail(s->err, MESH_EVALUE, "vertex %zu has a (u,v) that is not finite",
+	for (i = 0; i < 2*(size_t)r->s->nv; i++)
+		if (!isfinite(r->uv[i]))
+			return mesh_fail(r->s->err, MESH_EVALUE, "vertex %zu has a (u,v) that is not finite",
 			    i/2);
 	return 0;
 }

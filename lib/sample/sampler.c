@@ -1,5 +1,7 @@
-/* sampler.c - a mapped mesh as a function on its chart. */
+/* sampler.c - a mapped mesh as a function of (u,v) on its chart. */
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "sampler.h"
 
@@ -16,8 +18,8 @@ sampler_init(Sampler *s, const Disk *d, const double *u, const double *v, double
 #pragma omp section
 		if (surface == SAMPLER_SMOOTH) {
 			s->jet = malloc(d->m.nv*sizeof *s->jet);
-			s->want = calloc(d->m.nv, 1);
-			e1 = !s->jet || !s->want || stars_init(&s->stars, &d->m);
+			s->state = calloc(d->m.nv, 1);
+			e1 = !s->jet || !s->state || stars_init(&s->stars, &d->m);
 		}
 	}
 	if (!e && !e1)
@@ -32,9 +34,9 @@ sampler_free(Sampler *s)
 	locator_free(&s->l);
 	stars_free(&s->stars);
 	free(s->jet);
-	free(s->want);
+	free(s->state);
 	s->jet = NULL;
-	s->want = NULL;
+	s->state = NULL;
 }
 
 /* Where a point lies: barycentric coordinates 1 and 2 in triangle t. */
@@ -43,37 +45,52 @@ typedef struct Place {
 	double w[2];
 } Place;
 
-/* The places of the points; their triangles' corners want jets. */
-static void
-find_places(const Sampler *s, int n, const double *x, const double *y, Place *place)
+/* The places of the points (x,y). */
+static Place *
+find_places(const Sampler *s, int n, const double *x, const double *y)
 {
-	const Mesh *m = s->l.m;
+	Place *place = malloc(n*sizeof *place);
+	int p;
+
+	if (!place)
+		return NULL;
+	#pragma omp parallel for schedule(static)
+	for (p = 0; p < n; p++) {
+		double w[3];
+		int t = locate(&s->l, x[p], y[p], w);
+
+		place[p] = (Place){ t, { w[1], w[2] } };
+	}
+	return place;
+}
+
+/* Marks the corners of the triangles of the places, where jets are not known. */
+static void
+mark_corners(const Mesh *m, int n, const Place *place, unsigned char *state)
+{
 	int p;
 
 	#pragma omp parallel for schedule(static)
 	for (p = 0; p < n; p++) {
-		double w[3];
-		int k, t = locate(&s->l, x[p], y[p], w);
+		int k;
 
-		place[p] = (Place){ t, { w[1], w[2] } };
-		for (k = 0; s->want && k < 3; k++) {
-			unsigned char *want = &s->want[m->tri[3*t + k]], is;
+		for (k = 0; k < 3; k++) {
+			unsigned char *here = &state[m->tri[3*place[p].t + k]], is;
 
 			#pragma omp atomic read
-			is = *want;
+			is = *here;
 			if (is)
 				continue;
 			#pragma omp atomic write
-			*want = GRADIENT_WANTED;
+			*here = GRADIENT_WANTED;
 		}
 	}
 }
 
 static void
-sample(const Sampler *s, const Place *p, double phi[3])
+sample(const Sampler *s, const Mesh *m, const Jet *jet, const Place *p, double phi[3])
 {
-	const Mesh *m = s->l.m;
-	const Clough clough = { m, s->l.u, s->l.v, s->jet };
+	const Clough clough = { m, s->l.u, s->l.v, jet };
 	const double w[3] = { 1 - p->w[0] - p->w[1], p->w[0], p->w[1] };
 	const int *v = &m->tri[3*p->t];
 	int c;
@@ -86,26 +103,82 @@ sample(const Sampler *s, const Place *p, double phi[3])
 		phi[c] = w[0]*m->xyz[3*v[0]+c] + w[1]*m->xyz[3*v[1]+c] + w[2]*m->xyz[3*v[2]+c];
 }
 
-int
-sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double *const phi[3])
+/* The first `dimensions` coordinates of mesh m at n places; state and jet are those of m. */
+static void
+sample_places(const Sampler *s, const Mesh *m, unsigned char *state, Jet *jet, int n, const Place *place,
+	int dimensions, double *const phi[])
 {
-	int p, n = g.nu*g.nv;
-	Place *place = malloc(n*sizeof *place);
+	int p;
 
-	if (!place)
-		return SAMPLER_ENOMEM;
-	find_places(s, n, x, y, place);
-	if (s->surface == SAMPLER_SMOOTH)
-		gradient_some(&s->stars, s->l.m, s->l.u, s->l.v, s->want, s->jet);
+	if (s->surface == SAMPLER_SMOOTH) {
+		mark_corners(m, n, place, state);
+		gradient_some(&s->stars, m, s->l.u, s->l.v, state, jet);
+	}
 	#pragma omp parallel for schedule(static)
 	for (p = 0; p < n; p++) {
 		double at[3];
 		int c;
 
-		sample(s, &place[p], at);
-		for (c = 0; c < 3; c++)
+		sample(s, m, jet, &place[p], at);
+		for (c = 0; c < dimensions; c++)
 			phi[c][p] = at[c];
 	}
+}
+
+int
+sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double *const phi[3])
+{
+	Place *place = find_places(s, g.nu*g.nv, x, y);
+
+	if (!place)
+		return SAMPLER_ENOMEM;
+	sample_places(s, s->l.m, s->state, s->jet, g.nu*g.nv, place, 3, phi);
 	free(place);
 	return 0;
+}
+
+/* Number k of a channel over the chart as a surface: (f, a u, a v), a the range of f. */
+static void
+graph(const Sampler *s, const Channel *c, int k, double *xyz)
+{
+	const double *f = c->f + k;
+	double lo = HUGE_VAL, hi = -HUGE_VAL;
+	int i, nv = s->l.m->nv;
+
+	for (i = 0; i < nv; i++) {
+		lo = fmin(lo, f[(size_t)c->n*i]);
+		hi = fmax(hi, f[(size_t)c->n*i]);
+	}
+	for (i = 0; i < nv; i++, xyz += 3) {
+		xyz[0] = f[(size_t)c->n*i];
+		xyz[1] = (hi - lo)*s->l.u[i];
+		xyz[2] = (hi - lo)*s->l.v[i];
+	}
+}
+
+int
+sampler_channel(const Sampler *s, const Channel *c, Chart g, const double *x, const double *y,
+	double *const out[])
+{
+	Place *place = find_places(s, g.nu*g.nv, x, y);
+	size_t nv = s->l.m->nv;
+	unsigned char *state = malloc(nv);
+	Jet *jet = malloc(nv*sizeof *jet);
+	Mesh m = *s->l.m;
+	int k, e = SAMPLER_ENOMEM;
+
+	m.xyz = malloc(3*nv*sizeof *m.xyz);
+	if (place && state && jet && m.xyz) {
+		for (k = 0; k < c->n; k++) {
+			memset(state, 0, nv);
+			graph(s, c, k, m.xyz);
+			sample_places(s, &m, state, jet, g.nu*g.nv, place, 1, &out[k]);
+		}
+		e = 0;
+	}
+	free(place);
+	free(state);
+	free(jet);
+	free(m.xyz);
+	return e;
 }

@@ -1,4 +1,4 @@
-/* sampler.h - a mapped mesh as a function phi(u,v) on its chart. */
+/* sampler.h - a mapped mesh as a function of (u,v) on its chart: positions and channels. */
 #ifndef SAMPLER_H
 #define SAMPLER_H
 
@@ -16,9 +16,9 @@ enum { SAMPLER_ENOMEM = -1 };
 typedef struct Sampler {
 	Locator l;
 	int     surface;
-	Stars   stars;          /* this and the rest of SAMPLER_SMOOTH */
-	Jet    *jet;            /* [nv] where want says that they are known */
-	unsigned char *want;    /* [nv] gradient.h */
+	Stars   stars;          /* this and the rest for SAMPLER_SMOOTH only */
+	Jet    *jet;            /* [nv] of the positions, where state is GRADIENT_KNOWN */
+	unsigned char *state;   /* [nv] 0, or of gradient.h */
 } Sampler;
 
 /* d mapped by u, v onto [0,1] x [0,T]; all three must outlive s.  Returns 0 or
@@ -26,9 +26,18 @@ typedef struct Sampler {
 int  sampler_init(Sampler *s, const Disk *d, const double *u, const double *v, double T, int surface);
 void sampler_free(Sampler *s);
 
-/* phi at every node of g, (x,y) its place in the chart of the mesh; all [nv][nu].  Finds
+/* phi at every node of g, (x,y) its place in the chart of the mesh; all [nv][nu].  Computes
  * the jets that it needs, and keeps them: not from several threads at once.  Returns 0 or
  * SAMPLER_ENOMEM. */
 int  sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double *const phi[3]);
+
+/* A channel of the mesh at the same nodes, out[k] being number k of its c->n, in the same way: linear,
+ * or C1 and cubic.  Each number f is then sampled as the surface (f, a u, a v), a the range of f,
+ * so that the limits of gradient.h and clough.h keep it from overshooting at a jump.
+ *
+ * c        in   at the vertices of the disk of sampler_init
+ * out      out  [c->n], each [nv][nu] */
+int  sampler_channel(const Sampler *s, const Channel *c, Chart g, const double *x, const double *y,
+	double *const out[]);
 
 #endif

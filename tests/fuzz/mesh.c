@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../../lib/mesh/channel.h"
 #include "../../lib/meshfile/meshfile.h"
 #include "fuzz.h"
 
@@ -23,7 +24,7 @@ refused(const Soup *s)
 {
 	const char *p;
 
-	fuzz_need(!s->xyz && !s->first && !s->idx && !s->uv, "a refused mesh has something to free");
+	fuzz_need(!s->xyz && !s->first && !s->idx && !s->channels.n, "a refused mesh has something to free");
 	fuzz_need(s->err[0] != '\0', "a refusal without words");
 	for (p = s->err; *p; p++)
 		fuzz_need(*p >= 0x20 && *p < 0x7f, "a message is not one printable line");
@@ -32,6 +33,7 @@ refused(const Soup *s)
 static void
 valid(const Soup *s)
 {
+	const double *uv = channel_values(&s->channels, MESH_UV);
 	size_t i;
 	int f;
 
@@ -43,8 +45,8 @@ valid(const Soup *s)
 		fuzz_need(s->idx[i] >= 0 && s->idx[i] < s->nv, "a corner is no vertex");
 	for (i = 0; i < 3*(size_t)s->nv; i++)
 		fuzz_need(isfinite(s->xyz[i]), "a coordinate is not finite");
-	for (i = 0; s->uv && i < 2*(size_t)s->nv; i++)
-		fuzz_need(isfinite(s->uv[i]), "a (u,v) is not finite");
+	for (i = 0; uv && i < 2*(size_t)s->nv; i++)
+		fuzz_need(isfinite(uv[i]), "a (u,v) is not finite");
 	fuzz_need(s->T >= 0 && isfinite(s->T), "T is neither 0 nor positive");
 }
 
@@ -59,15 +61,16 @@ samebits(const void *a, const void *b, size_t bytes)
 static void
 same(const Soup *a, const Soup *b)
 {
+	const double *u = channel_values(&a->channels, MESH_UV), *v = channel_values(&b->channels, MESH_UV);
 	size_t nv = (size_t)a->nv, nf = (size_t)a->nf, i;
 
 	fuzz_need(a->nv == b->nv && a->nf == b->nf, "a mesh comes back with other counts");
 	fuzz_need(samebits(a->xyz, b->xyz, 3*nv*sizeof(double)), "coordinates do not come back");
 	fuzz_need(samebits(a->first, b->first, (nf + 1)*sizeof(int)), "numbers of corners do not come back");
 	fuzz_need(samebits(a->idx, b->idx, (size_t)a->first[nf]*sizeof(int)), "corners do not come back");
-	fuzz_need(!a->uv == !b->uv && a->T == b->T, "T does not come back");
-	for (i = 0; a->uv && i < (size_t)a->first[nf]; i++)
-		fuzz_need(samebits(a->uv + 2*(size_t)a->idx[i], b->uv + 2*(size_t)a->idx[i], 2*sizeof(double)),
+	fuzz_need(!u == !v && a->T == b->T, "T does not come back");
+	for (i = 0; u && i < (size_t)a->first[nf]; i++)
+		fuzz_need(samebits(u + 2*(size_t)a->idx[i], v + 2*(size_t)a->idx[i], 2*sizeof(double)),
 		    "(u,v) do not come back");
 }
 
@@ -118,7 +121,7 @@ apart(const Soup *s, const MeshFormat *format)
 static void
 written(const Soup *s, size_t i, Parse *parse)
 {
-	const unsigned can = MESHFORMAT_WRITE | (s->uv ? MESHFORMAT_UV : 0);
+	const unsigned can = MESHFORMAT_WRITE | (channel_find(&s->channels, MESH_UV) ? MESHFORMAT_UV : 0);
 	const MeshFormat *f;
 	size_t rows = 0;
 

@@ -1,0 +1,24 @@
+/* channel.h - named numbers at the vertices of a mesh: (u,v), a scalar, a colour. */
+#ifndef CHANNEL_H
+#define CHANNEL_H
+
+#include "mesh.h"
+
+/* The channel of that name, or NULL. */
+Channel *channel_find(const Channels *c, const char *name);
+
+/* Its values, or NULL. */
+double *channel_values(const Channels *c, const char *name);
+
+/* A channel of n numbers at each of nv vertices: the one of that name, or a new one with room for
+ * them.  name has fewer than CHANNEL_NAME characters.  Returns the values, which are not set, or
+ * NULL without memory; the channels there were then stay. */
+double *channel_add(Channels *c, const char *name, int n, size_t nv);
+
+/* All channels of from on other vertices: vertex i of nv has the values of vertex[i], or none
+ * where that is -1.  to is empty before.  Returns 0, or MESH_ENOMEM and to is empty. */
+int channels_gather(Channels *to, const Channels *from, int nv, const int *vertex, double none);
+
+void channels_free(Channels *c);
+
+#endif
