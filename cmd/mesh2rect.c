@@ -189,11 +189,13 @@ main(int argc, char *argv[])
 		case SURFACE: options.surface = opt_word(optarg, "facets\0smooth\0", "surface"); break;
 		case POLISH: options.polish = opt_long(optarg, 0, 100, "polish"); break;
 		case ALLOW: options.keep_turned = 1; break;
-		case UV: opt_uv(uv = optarg); break;
+		case UV: uv = optarg; break;
 		}
 	cmd_operands(argc, argv, 0, 1);
 	if (like ? corners != NULL : reversed)
 		misuse(like ? "say one of --corners and --like" : "--like-reversed is for --like");
+	if (uv)
+		opt_uv(uv, argv[optind]);
 	cmd_binary_output();
 
 	load_soup(argv[optind], 0, &s);

@@ -4,16 +4,22 @@
 #include "../../lib/mesh/disk.h"
 #include "../../lib/meshfile/meshfile.h"
 #include "../shared/cmd.h"
+#include "../shared/samefile.h"
 #include "uvopt.h"
 
 void
-opt_uv(const char *file)
+opt_uv(const char *file, const char *mesh)
 {
 	const MeshFormat *format = meshformat_of(file);
+	const char *out = cmd_output();
 	char list[MESHFORMAT_LIST];
 
 	if (!format || !(format->can & MESHFORMAT_UV))
 		misuse("--uv=%s: need an end of %s", file, meshformat_ends(MESHFORMAT_UV | MESHFORMAT_WRITE, list));
+	if (out && same_file(file, out))
+		misuse("--uv=%s: the grid goes there, by --output", file);
+	if (cmd_name_of(mesh) == mesh && same_file(file, mesh))
+		misuse("--uv=%s: the mesh is read from there, and would lose all but positions and faces", file);
 }
 
 void

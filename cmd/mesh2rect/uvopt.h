@@ -4,8 +4,9 @@
 
 #include "../../lib/mesh/mesh.h"
 
-/* Exit 2 when FILE does not end as a format with (u,v) does. */
-void opt_uv(const char *file);
+/* Exit 2 if FILE does not end as a format with (u,v) does, or is also the output or the operand
+ * mesh.  To be called when all options are read. */
+void opt_uv(const char *file, const char *mesh);
 
 /* Write s, the file's own vertices and polygons, with the (u,v) of the vertices of d, the
  * disk made from it, to FILE, or die.  To be called before cmd_write: one output is open at
