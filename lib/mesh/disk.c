@@ -1,4 +1,4 @@
-/* disk.c - from a polygon soup to a disk, or the true reason why not. */
+/* disk.c - makes a disk of a polygon soup, or says why it is none. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -50,7 +50,7 @@ checkfinite(const Soup *s, char *err)
 	return 0;
 }
 
-/* Number the vertices anew: vertex v becomes to[v] < nnew, or goes where that is -1.
+/* Renumbers the vertices: vertex v becomes to[v] < nnew, or is dropped if that is -1.
  * Of several that become one, the first gives position, channels and name. */
 static void
 renumber(Disk *d, const int *to, int nnew)
@@ -93,9 +93,9 @@ dropunused(Disk *d, int *to)
 	    before - n == 1 ? "vertex" : "vertices");
 }
 
-/* Do the faces, two or more, share no vertex at all? */
+/* Are there two faces or more that share no vertex at all? */
 static int
-issoup(const Soup *s, int *used)
+shares_no_vertex(const Soup *s, int *used)
 {
 	int i;
 
@@ -122,8 +122,7 @@ weld(Disk *d, int *to)
 	return 0;
 }
 
-/* Turn the faces marked in turn, or all others if the marked ones are the most.
- * Returns how many. */
+/* Turns the marked faces, or all others if most are marked.  Returns how many it turned. */
 static int
 turnfaces(Mesh *m, const signed char *turn)
 {
@@ -141,7 +140,7 @@ turnfaces(Mesh *m, const signed char *turn)
 	return most ? m->nf - n : n;
 }
 
-/* Make neighbours agree. */
+/* Turns faces so that neighbours agree, and finds the twins again. */
 static int
 orient(Disk *d, Topology *t)
 {
@@ -160,9 +159,9 @@ orient(Disk *d, Topology *t)
 	return e;
 }
 
-/* One component, with one fan at every vertex: looked for at the same time. */
+/* Checks at the same time for one component and for one fan at every vertex. */
 static int
-checkwhole(const Topology *t)
+check_pieces(const Topology *t)
 {
 	char err[MESH_ERRLEN];
 	Topology other = *t;
@@ -191,7 +190,7 @@ checkdisk(Disk *d)
 		return e;
 	if (t.odd)
 		e = orient(d, &t);
-	if (!e && (e = checkwhole(&t)) == 0)
+	if (!e && (e = check_pieces(&t)) == 0)
 		e = topology_loop(&t, &d->loop, &d->nb);
 	d->twin = t.twin;
 	return e;
@@ -215,7 +214,7 @@ build(Disk *d, const Soup *s, int *scratch)
 	for (v = 0; v < s->nv; v++)
 		d->file[v] = d->became[v] = v;
 	dropunused(d, scratch);
-	if (issoup(s, scratch) && (e = weld(d, scratch)) != 0)
+	if (shares_no_vertex(s, scratch) && (e = weld(d, scratch)) != 0)
 		return e;
 	if (channels_gather(&d->channels, &s->channels, m->nv, d->file, 0))
 		return mesh_fail(d->err, MESH_ENOMEM, "no memory for the channels of %d vertices", m->nv);
@@ -240,7 +239,7 @@ disk_from_soup(Disk *d, const Soup *s)
 	return e;
 }
 
-/* Side k of a face that is turned. */
+/* The number of a side after its face is turned. */
 static int
 flipped(int side)
 {

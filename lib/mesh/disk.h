@@ -1,14 +1,13 @@
-/* disk.h - from a polygon soup to a disk, or the true reason why not. */
+/* disk.h - makes a disk of a polygon soup, or says why it is none. */
 #ifndef DISK_H
 #define DISK_H
 
 #include "mesh.h"
 
-/* Split polygons into triangles, then repair what can be repaired without a guess and
- * say it in d->note: drop vertices of no face; weld vertices of equal position when
- * faces share no vertices at all (a soup, as STL always is); turn faces so that
- * neighbours agree, as most of them stand.  Then demand, in this order and each with
- * its place: corners in range, finite coordinates, no degenerate face, edges of at most
+/* Split polygons into triangles, then repair what needs no guess and list it in d->note: drop
+ * vertices of no face; weld vertices of equal position if faces share no vertices at all (as in
+ * every STL); turn faces so that neighbours agree, towards the side of the majority.  Then check,
+ * in this order, each error with its place: corners in range, finite coordinates, no degenerate face, edges of at most
  * two faces, one orientation, one component, vertices with one fan, one boundary loop,
  * no handles.
  *
@@ -19,12 +18,12 @@
  * nothing to free. */
 int disk_from_soup(Disk *d, const Soup *s);
 
-/* Turn the normal: every face the other way round, and with them the loop, which still
- * begins at its lowest vertex. */
+/* Reverse the normal: the orientation of every face and of the loop, which still begins at its lowest
+ * vertex. */
 void disk_flip(Disk *d);
 
-/* A channel of the disk given to the soup it was made from, under that name: f, n numbers at each
- * vertex of d; none at the vertices that were dropped.
+/* Copy a channel of the disk to the soup it was made from, under that name: f, n numbers at each
+ * vertex of d, and `none` at the vertices that were dropped.
  *
  * f        in   [d->m.nv][n]
  * s        in   the soup of disk_from_soup; a channel of that name is overwritten

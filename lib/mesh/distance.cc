@@ -1,7 +1,7 @@
-/* distance.cc - CGAL's polygon mesh processing behind arrays. */
+/* distance.cc - distances of two surfaces and self-intersections, by CGAL. */
 
-/* The tree of the Hausdorff distance asserts that a box is no farther than those within it,
- * and throws where the two distances differ by rounding; the search itself does not mind. */
+/* The tree of the Hausdorff distance asserts that no box within another is nearer than it, and throws
+ * where rounding breaks this; the search is correct all the same. */
 #define CGAL_NO_PRECONDITIONS
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -38,8 +38,7 @@ has_area(const Mesh *m, const int *t)
 	return !CGAL::collinear(point(m, t[0]), point(m, t[1]), point(m, t[2]));
 }
 
-/* Every face with three vertices of its own: a distance asks for no neighbours, so any
- * mesh will do. */
+/* Every face with three own vertices: distances need no neighbours, so any mesh is accepted. */
 static void
 separate_faces(const Mesh *m, Surface &s)
 {

@@ -1,4 +1,4 @@
-/* distance.h - how far two surfaces are apart, and whether one meets itself (CGAL). */
+/* distance.h - distances of two surfaces, and self-intersections (CGAL). */
 #ifndef DISTANCE_H
 #define DISTANCE_H
 
@@ -10,30 +10,30 @@ extern "C" {
 
 enum {
 	DISTANCE_ENOMEM = -1,
-	DISTANCE_EAREA  = -2,   /* no face of any area */
+	DISTANCE_EAREA  = -2,   /* no face has an area */
 	DISTANCE_EEDGE  = -3,   /* an edge of three faces, or faces of opposite orientation */
 	DISTANCE_ECGAL  = -4    /* CGAL gave up */
 };
 
-/* Distances between vertices of equal number; a and b have equally many. */
+/* Maximum and mean distance of vertices of equal number; a and b have equally many vertices. */
 void distance_vertices(const Mesh *a, const Mesh *b, double *max, double *mean);
 
 /* The symmetric Hausdorff distance between two surfaces: the largest distance from a
- * point of one (of its faces, not its vertices alone) to the other.  Faces of no area
+ * point of one (of its faces, not its vertices alone) to the other.  Faces without area
  * are left out.  Coordinates must be finite.
  *
- * error  in   > 0, in the unit of length.  Two meshes that are farther apart than this
- *             take time by their sizes; where they are not, time grows as 1/error: two
+ * error  in   > 0, in the unit of length.  If the surfaces are farther apart than this, the
+ *             time depends on their sizes only; else it grows as 1/error: two
  *             triangulations of one plane, of 5000 and 6000 vertices, took 0.2, 2 and
  *             29 s for an error of 1e-2, 1e-3 and 1e-4 of the square root of the area
- * d      out  the distance to +-error: exactly 0 when the faces are the same, error
- *             when all that is known is that it is not more
+ * d      out  the distance to +-error: exactly 0 if the faces are the same, error if
+ *             only this bound is known
  *
  * Returns 0, DISTANCE_ENOMEM, DISTANCE_EAREA or DISTANCE_ECGAL. */
 int distance_hausdorff(const Mesh *a, const Mesh *b, double error, double *d);
 
 /* The number of pairs of faces that meet in more than the vertices or the edge they
- * share by number.  Faces of no area are left out.
+ * share by number.  Faces without area are left out.
  *
  * Returns 0, DISTANCE_ENOMEM, DISTANCE_EEDGE or DISTANCE_ECGAL. */
 int distance_crossings(const Mesh *m, long *pairs);

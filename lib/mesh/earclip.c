@@ -1,4 +1,4 @@
-/* earclip.c - polygons of five corners and more into triangles. */
+/* earclip.c - splits polygons of five corners and more into triangles, by ear clipping. */
 #include <math.h>
 #include <string.h>
 
@@ -68,9 +68,9 @@ flatten(Polygon *p)
 	return 1;
 }
 
-/* Twice the area of a b c, over the longest edge squared. */
+/* Twice the signed area of a b c, over the longest edge squared. */
 static double
-turn(const Polygon *p, int a, int b, int c)
+signed_area(const Polygon *p, int a, int b, int c)
 {
 	const double *A = p->flat[a], *B = p->flat[b], *C = p->flat[c];
 	const double ux = B[0] - A[0], uy = B[1] - A[1], vx = C[0] - A[0], vy = C[1] - A[1];
@@ -80,8 +80,8 @@ turn(const Polygon *p, int a, int b, int c)
 	return longest2 > 0 ? (ux*vy - uy*vx) / longest2 : 0;
 }
 
-/* Corner i can be cut off: it turns left, no other corner is in or on the cut, and what
- * is cut off has an area in space (the plane's numbers are rounded to its size). */
+/* Corner i is an ear: convex, no other corner lies in the triangle or on it, and the triangle has an
+ * area in space (plane coordinates are rounded relative to the polygon's size). */
 static int
 isear(const Polygon *p, int i)
 {
@@ -89,17 +89,17 @@ isear(const Polygon *p, int i)
 	double n[3];
 	int k;
 
-	if (!(turn(p, a, i, c) > 2*POLYGON_FLAT))
+	if (!(signed_area(p, a, i, c) > 2*POLYGON_FLAT))
 		return 0;
 	for (k = p->next[c]; k != a; k = p->next[k])
-		if (turn(p, a, i, k) >= -POLYGON_FLAT && turn(p, i, c, k) >= -POLYGON_FLAT &&
-		    turn(p, c, a, k) >= -POLYGON_FLAT)
+		if (signed_area(p, a, i, k) >= -POLYGON_FLAT && signed_area(p, i, c, k) >= -POLYGON_FLAT &&
+		    signed_area(p, c, a, k) >= -POLYGON_FLAT)
 			return 0;
 	polygon_shape(polygon_at(p, a), polygon_at(p, i), polygon_at(p, c), n);
 	return norm3(n) > POLYGON_FLAT;
 }
 
-/* Going round and skipping a corner after each ear keeps fans, and slivers, away. */
+/* Skips a corner after each ear, which avoids fans and slivers. */
 int
 polygon_clip(Polygon *p)
 {

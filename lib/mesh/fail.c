@@ -1,4 +1,4 @@
-/* fail.c - messages and memory of the functions that read, check and repair meshes. */
+/* fail.c - error messages and memory for reading, checking and repairing meshes. */
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* fail.h - messages and memory of the functions that read, check and repair meshes. */
+/* fail.h - error messages and memory for reading, checking and repairing meshes. */
 #ifndef FAIL_H
 #define FAIL_H
 
@@ -6,10 +6,10 @@
 
 #include "mesh.h"
 
-/* Put the message into err and give code back. */
+/* Put the message into err; returns code. */
 int mesh_fail(char err[MESH_ERRLEN], int code, const char *fmt, ...);
 
-/* n things of size bytes, or NULL with err saying how much was wanted.  n may be 0. */
+/* n items of size bytes, or NULL with the size in err.  n may be 0. */
 void *mesh_alloc(char err[MESH_ERRLEN], size_t n, size_t size);
 
 #endif

@@ -1,7 +1,7 @@
-/* mesh.h - surfaces as arrays: a polygon soup as files hold it, a triangle mesh,
- * and a disk, the only kind that can be mapped onto a rectangle.
+/* mesh.h - surfaces as arrays: the polygon soup of a file, a triangle mesh, and a disk, which is what
+ * can be mapped onto a rectangle.
  *
- * Vertices and faces are counted from 0 here and in every message.
+ * Vertices and faces are counted from 0 here and in messages.
  */
 #ifndef MESH_H
 #define MESH_H
@@ -10,11 +10,11 @@
 
 enum {
 	MESH_ENOMEM  = -1,
-	MESH_EFORMAT = -2,      /* not a mesh file that we read, or damaged; err says where */
+	MESH_EFORMAT = -2,      /* not a mesh file of a known format, or damaged; err has the place */
 	MESH_EINDEX  = -3,      /* a face names a vertex that does not exist */
 	MESH_EVALUE  = -4,      /* a coordinate is NaN or infinite */
-	MESH_EFACE   = -5,      /* a face cannot be split into triangles of some area */
-	MESH_EMANIFOLD = -6,    /* an edge of three faces, or a vertex where fans only touch */
+	MESH_EFACE   = -5,      /* a face cannot be split into triangles with area */
+	MESH_EMANIFOLD = -6,    /* an edge of three faces, or a vertex of several fans */
 	MESH_EORIENT = -7,      /* one-sided: no consistent orientation */
 	MESH_EDISK   = -8       /* closed, several loops or components, or handles */
 };
@@ -37,7 +37,7 @@ typedef struct Channels {
 	Channel *channel;       /* [n] */
 } Channels;
 
-/* Polygons as they come.  Face f has the corners idx[first[f]] .. idx[first[f+1]-1]. */
+/* Polygons as a file has them.  Face f has the corners idx[first[f]] .. idx[first[f+1]-1]. */
 typedef struct Soup {
 	int     nv, nf;
 	double *xyz;            /* [nv][3] */
@@ -54,8 +54,8 @@ typedef struct Mesh {
 	int    *tri;            /* [nf][3], counterclockwise seen from where the normal points */
 } Mesh;
 
-/* A mesh that is connected, manifold, oriented and has one boundary loop and no
- * handle; every vertex belongs to a face. */
+/* A connected, oriented manifold mesh with one boundary loop and no handle; every vertex belongs to a
+ * face. */
 typedef struct Disk {
 	Mesh m;
 	int  nb;
@@ -63,12 +63,12 @@ typedef struct Disk {
 	                         * beginning at its lowest vertex number */
 	int *twin;              /* [3*m.nf] the side across, -1 on the boundary; side 3*t+k goes
 	                         * from corner k of triangle t to the next */
-	int *file;              /* [m.nv] the number that each vertex has in the soup it came
-	                         * from; of welded ones the lowest */
+	int *file;              /* [m.nv] the number of each vertex in its soup; of welded ones the
+	                         * lowest */
 	int  nfile;
-	int *became;            /* [nfile] the vertex that each of the soup's became, -1: dropped */
+	int *became;            /* [nfile] the new number of each vertex of the soup, -1: dropped */
 	Channels channels;      /* of the soup, at the vertices of m */
-	char note[MESH_ERRLEN]; /* what was repaired, "" if nothing was */
+	char note[MESH_ERRLEN]; /* the repairs, "" if none */
 	char err[MESH_ERRLEN];
 } Disk;
 

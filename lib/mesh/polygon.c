@@ -1,4 +1,4 @@
-/* polygon.c - polygons of a soup into triangles. */
+/* polygon.c - splits the polygons of a soup into triangles. */
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 #include "polypriv.h"
 #include "../base/vec3.h"
 
-enum { MAXCORNERS = 10000 };            /* clipping ears takes the square of this */
+enum { MAXCORNERS = 10000 };            /* ear clipping takes time as its square */
 
 static int
 triangle(Polygon *p)
@@ -21,9 +21,9 @@ triangle(Polygon *p)
 	return norm3(n) > POLYGON_FLAT;
 }
 
-/* The worse of the triangles i i+1 i+2 and i i+2 i+3, seen from the side of the quad. */
+/* The smaller shape of the triangles i i+1 i+2 and i i+2 i+3 along the normal of the quad. */
 static double
-worse(const Polygon *p, int i, const double side[3])
+smaller_shape(const Polygon *p, int i, const double side[3])
 {
 	double m[3], n[3];
 
@@ -32,7 +32,8 @@ worse(const Polygon *p, int i, const double side[3])
 	return fmin(dot3(m, side), dot3(n, side));
 }
 
-/* The diagonals' product is the normal that both splits of a flat quad share. */
+/* Splits by the diagonal whose smaller triangle shape is larger.  The cross product of the diagonals
+ * is the normal of both splits of a flat quad. */
 static int
 quad(Polygon *p)
 {
@@ -48,8 +49,8 @@ quad(Polygon *p)
 		return 0;
 	for (k = 0; k < 3; k++)
 		side[k] /= len;
-	ac = worse(p, 0, side);
-	bd = worse(p, 1, side);
+	ac = smaller_shape(p, 0, side);
+	bd = smaller_shape(p, 1, side);
 	if (bd > ac) {
 		polygon_put(p, 1, 2, 3);
 		polygon_put(p, 1, 3, 0);
@@ -60,9 +61,9 @@ quad(Polygon *p)
 	return larger(ac, bd) > POLYGON_FLAT;
 }
 
-/* A vertex that face f has twice, or -1; mark[v] is the last face that had v. */
+/* A vertex that occurs twice in face f, or -1; mark[v] is the last face that had v. */
 static int
-twice(const Soup *s, int f, int *mark)
+repeated_vertex(const Soup *s, int f, int *mark)
 {
 	int i;
 
@@ -74,9 +75,9 @@ twice(const Soup *s, int f, int *mark)
 	return -1;
 }
 
-/* How many triangles there will be, and the corners of the largest face. */
+/* Counts the triangles that will result, and the corners of the largest face. */
 static int
-count(const Soup *s, int *mark, size_t *ntri, int *most, char *err)
+count_triangles(const Soup *s, int *mark, size_t *ntri, int *most, char *err)
 {
 	int f, n, v;
 
@@ -88,7 +89,7 @@ count(const Soup *s, int *mark, size_t *ntri, int *most, char *err)
 		if (n < 3 || n > MAXCORNERS)
 			return mesh_fail(err, MESH_EFACE, n < 3 ? "face %d has only %d corners" :
 			    "face %d has %d corners, more than %d", f, n, MAXCORNERS);
-		if ((v = twice(s, f, mark)) >= 0)
+		if ((v = repeated_vertex(s, f, mark)) >= 0)
 			return mesh_fail(err, MESH_EFACE, "face %d has vertex %d twice", f, v);
 		*ntri += (size_t)n - 2;
 		*most = n > *most ? n : *most;
@@ -126,7 +127,7 @@ polygon_split(const Soup *s, int **tri, int *ntri, char err[MESH_ERRLEN])
 	mark = mesh_alloc(err, (size_t)s->nv, sizeof *mark);
 	if (!mark)
 		return MESH_ENOMEM;
-	if ((e = count(s, mark, &n, &most, err)) == 0) {
+	if ((e = count_triangles(s, mark, &n, &most, err)) == 0) {
 		p.tri = out = mesh_alloc(err, n, 3 * sizeof *out);
 		p.flat = mesh_alloc(err, (size_t)most, sizeof *p.flat);
 		p.next = mesh_alloc(err, (size_t)most, sizeof *p.next);

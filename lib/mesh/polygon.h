@@ -1,12 +1,12 @@
-/* polygon.h - polygons of a soup into triangles.  Private to lib/. */
+/* polygon.h - splits polygons of a soup into triangles.  Private to lib/. */
 #ifndef POLYGON_H
 #define POLYGON_H
 
 #include "mesh.h"
 
 /* Split every face of s into triangles of its own corners, in the order of the faces:
- * triangles as they are; quads by the diagonal whose worse triangle is the better; larger
- * polygons by clipping ears in their average plane.  *tri is malloc'd, [*ntri][3].
+ * triangles are kept; quads are split by the diagonal whose worse triangle is better; larger
+ * polygons by ear clipping in their average plane.  *tri is malloc'd, [*ntri][3].
  *
  * Returns 0, MESH_ENOMEM or MESH_EFACE with the face in err: fewer than 3 corners, a
  * corner twice, or triangles without area (below 1e-14 of the longest edge squared). */

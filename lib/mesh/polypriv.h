@@ -1,19 +1,19 @@
-/* polypriv.h - one polygon while it is split.  Private to polygon.c, polyshape.c
+/* polypriv.h - a polygon that is being split.  Private to polygon.c, polyshape.c
  * and earclip.c. */
 #ifndef POLYPRIV_H
 #define POLYPRIV_H
 
 #include <stddef.h>
 
-#define POLYGON_FLAT 1e-14      /* area over longest edge squared that is no area */
-#define POLYGON_TINY 1e-150     /* lengths whose squares a double cannot hold */
+#define POLYGON_FLAT 1e-14      /* area over longest edge squared that counts as none */
+#define POLYGON_TINY 1e-150     /* lengths whose squares underflow a double */
 
 typedef struct Polygon {
 	const double *xyz;
 	int    n;
 	const int *v;           /* its corners */
 	double (*flat)[2];      /* clipping: corners in the average plane */
-	int   *next, *prev;     /* .. and the ring of those that are left */
+	int   *next, *prev;     /* .. and the ring of the corners left */
 	int   *tri;             /* where the next triangle goes */
 } Polygon;
 

@@ -1,4 +1,4 @@
-/* polyshape.c - the shape of a triangle, for those who split polygons. */
+/* polyshape.c - the shape of a triangle, for splitting polygons. */
 #include <math.h>
 #include <string.h>
 

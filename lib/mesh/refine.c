@@ -8,15 +8,15 @@
 #include "topology.h"
 #include "../base/vec3.h"
 
-/* A split in the making.  Side 3f+k of face f goes from its corner k to corner k+1. */
+/* A refinement under construction.  Side 3f+k of face f goes from its corner k to corner k+1. */
 typedef struct Split {
 	const Disk *d;
 	Topology    t;
 	int         similar;    /* all faces, into four similar ones */
 	int        *mid;        /* [3*nf] new vertex on each side; -1: not cut, CUT: to be numbered */
-	int        *stack, depth;       /* faces whose longest side may have to be cut */
+	int        *stack, depth;       /* faces whose longest side may need a cut */
 	int        *part;       /* [3*nf][2] new side that a side becomes, or its first and second half */
-	int        *tri, *twin, nf;     /* what has been made of it */
+	int        *tri, *twin, nf;     /* the new faces so far */
 } Split;
 
 enum { CUT = INT_MAX };
@@ -30,8 +30,8 @@ length2(const Split *s, int side)
 	return dot3(e, e);
 }
 
-/* The longest side of face f; of equal ones that of the lowest edge, so that neighbours
- * agree. */
+/* The longest side of face f; of equal ones that of the lowest edge, so that neighbours choose the
+ * same. */
 static int
 longest(const Split *s, int f)
 {
@@ -51,7 +51,7 @@ longest(const Split *s, int f)
 	return best;
 }
 
-/* Cut a side for both its faces; the neighbour has to be looked at again. */
+/* Cuts a side for both its faces; the neighbour is checked again. */
 static void
 cut(Split *s, int side)
 {
@@ -66,10 +66,10 @@ cut(Split *s, int side)
 	}
 }
 
-/* Every face with a cut side has its longest side cut.  Each side is cut once, so the
- * stack holds at most one entry a side and one a face. */
+/* Cuts until every face with a cut side has its longest side cut.  Each side is cut once, so the stack
+ * holds at most one entry for each side. */
 static void
-close_up(Split *s, const unsigned char *marked)
+cut_until_conforming(Split *s, const unsigned char *marked)
 {
 	int f, k;
 
@@ -82,7 +82,7 @@ close_up(Split *s, const unsigned char *marked)
 	}
 }
 
-/* Number the new vertices; returns how many there are, *faces the faces to come. */
+/* Numbers the new vertices and returns their count; *faces is the count of new faces. */
 static int
 number_cuts(Split *s, int *faces)
 {
@@ -99,10 +99,10 @@ number_cuts(Split *s, int *faces)
 	return n - s->d->m.nv;
 }
 
-/* n numbers of each vertex: f of the old ones to `to`, there followed by those of the new ones, each
- * the mean of the ends of its side. */
+/* n numbers at each vertex: copies f of the old ones to `to`, and appends for each new one the mean of
+ * the ends of its side. */
 static void
-place(const Split *s, int n, const double *f, double *to)
+midpoints(const Split *s, int n, const double *f, double *to)
 {
 	const double *a, *b;
 	int side, c;
@@ -119,7 +119,7 @@ place(const Split *s, int n, const double *f, double *to)
 }
 
 static int
-place_channels(const Split *s, Disk *finer)
+midpoints_of_channels(const Split *s, Disk *finer)
 {
 	const Channels *from = &s->d->channels;
 	double *to;
@@ -130,12 +130,12 @@ place_channels(const Split *s, Disk *finer)
 
 		if (!(to = channel_add(&finer->channels, c->name, c->n, (size_t)finer->m.nv)))
 			return MESH_ENOMEM;
-		place(s, c->n, c->f, to);
+		midpoints(s, c->n, c->f, to);
 	}
 	return 0;
 }
 
-/* A new face; returns its side a b. */
+/* Adds a face; returns its side a b. */
 static int
 emit(Split *s, int a, int b, int c)
 {
@@ -148,7 +148,7 @@ emit(Split *s, int a, int b, int c)
 }
 
 static void
-sew(Split *s, int side, int twin)
+join_sides(Split *s, int side, int twin)
 {
 	s->twin[side] = twin;
 	s->twin[twin] = side;
@@ -166,7 +166,7 @@ emit_left(Split *s, int A, int m, int C, int side, int last)
 		return left + 1;
 	}
 	right = emit(s, ca, m, C);
-	sew(s, left + 1, right);
+	join_sides(s, left + 1, right);
 	s->part[2*last] = right + 2;
 	s->part[2*last+1] = left + 2;
 	return right + 1;
@@ -183,7 +183,7 @@ emit_right(Split *s, int m, int B, int C, int side, int next)
 	if (bc < 0)
 		return left + 2;
 	right = emit(s, m, bc, C);
-	sew(s, left + 2, right);
+	join_sides(s, left + 2, right);
 	s->part[2*next+1] = right + 1;
 	return right + 2;
 }
@@ -199,7 +199,7 @@ emit_similar(Split *s, int f)
 		side = emit(s, c[k], mid[k], mid[l]);
 		s->part[2*(3*f + k)] = side;
 		s->part[2*(3*f + l) + 1] = side + 2;
-		sew(s, side + 1, inner + l);
+		join_sides(s, side + 1, inner + l);
 	}
 }
 
@@ -224,12 +224,12 @@ emit_face(Split *s, int f)
 	side = longest(s, f), next = topology_next(side), last = topology_next(next);
 	m = s->mid[side], C = topology_to(&s->t, next);
 	left = emit_left(s, topology_from(&s->t, side), m, C, side, last);
-	sew(s, left, emit_right(s, m, topology_to(&s->t, side), C, side, next));
+	join_sides(s, left, emit_right(s, m, topology_to(&s->t, side), C, side, next));
 }
 
-/* Neighbours along what has been a side; the first half of one is the second of its twin. */
+/* Twins along the old sides: the first half of one lies along the second of its twin. */
 static void
-sew_sides(Split *s)
+join_across_old_sides(Split *s)
 {
 	int side, twin, cut;
 
@@ -242,8 +242,7 @@ sew_sides(Split *s)
 	}
 }
 
-/* The loop with the new boundary vertices in it.  next[v] is the new vertex behind
- * boundary vertex v, or -1. */
+/* The loop with the new boundary vertices.  next[v] is the new vertex after boundary vertex v, or -1. */
 static int
 emit_loop(const Split *s, Disk *finer)
 {
@@ -281,12 +280,12 @@ build(Split *s, Disk *finer)
 	s->part = malloc(6*(size_t)s->t.nf*sizeof *s->part);
 	if (!m->xyz || !m->tri || !s->twin || !s->part)
 		return MESH_ENOMEM;
-	place(s, 3, s->d->m.xyz, m->xyz);
-	if (place_channels(s, finer))
+	midpoints(s, 3, s->d->m.xyz, m->xyz);
+	if (midpoints_of_channels(s, finer))
 		return MESH_ENOMEM;
 	for (f = 0; f < s->t.nf; f++)
 		emit_face(s, f);
-	sew_sides(s);
+	join_across_old_sides(s);
 	return emit_loop(s, finer);
 }
 
@@ -302,7 +301,7 @@ refine_split(const Disk *d, const unsigned char *marked, Disk *finer)
 	s.stack = malloc(sides*sizeof *s.stack);
 	if (s.mid && s.stack) {
 		memset(s.mid, -1, sides*sizeof *s.mid);
-		close_up(&s, marked);
+		cut_until_conforming(&s, marked);
 		e = build(&s, finer);
 	}
 	if (e)

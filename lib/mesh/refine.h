@@ -1,14 +1,14 @@
-/* refine.h - finer triangulations of a disk, on its own facets. */
+/* refine.h - refinement of a disk by splitting its triangles; the surface stays the same. */
 #ifndef REFINE_H
 #define REFINE_H
 
 #include "mesh.h"
 
-/* Split the marked faces ([nf], 1 or 0) into four and their neighbours as far as needed
- * for a conforming mesh, by longest-edge bisection (Rivara): angles stay bounded by half
- * of the smallest there was, obtuse ones are cut.  New vertices are midpoints of edges
- * and numbered after the old, which keep number and place; their channels are means of the ends.  With marked NULL, all faces into
- * four similar ones.
+/* Split the marked faces ([nf], 1 or 0) into four, and their neighbours as far as a conforming mesh
+ * needs it, by longest-edge bisection (Rivara): no angle becomes smaller than half of the smallest
+ * before, and obtuse ones are cut.  New vertices are midpoints of edges
+ * and numbered after the old, which keep number and place; their channels are means of the ends.  With marked NULL, all faces are
+ * split into four similar ones.
  *
  * finer  out  a disk of the same surface (its note and err are ""); disk_free it
  *

@@ -1,4 +1,4 @@
-/* repair.cc - polygon soup repair by CGAL behind C functions. */
+/* repair.cc - welding vertices of equal position, by CGAL. */
 #include <cstddef>
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
-/* One face with all vertices as its corners: merging rewrites it into the new numbers. */
+/* One face has all vertices as its corners: merging replaces them by the new numbers. */
 extern "C" int
 repair_weld(int nv, const double *xyz, int *to, int *nnew)
 try {
@@ -29,5 +29,5 @@ try {
 	*nnew = static_cast<int>(points.size());
 	return 0;
 } catch (...) {
-	return REPAIR_ENOMEM;           /* finite numbers can only be compared and copied */
+	return REPAIR_ENOMEM;           /* nothing else can fail on finite numbers */
 }

@@ -1,4 +1,4 @@
-/* repair.h - polygon soup repair by CGAL behind C functions. */
+/* repair.h - welding vertices of equal position, by CGAL. */
 #ifndef REPAIR_H
 #define REPAIR_H
 
@@ -13,7 +13,7 @@ enum { REPAIR_ENOMEM = -1 };
  * nv, xyz  in      [nv][3], finite
  * to       out     [nv] the new number of each; new numbers run from 0 in the order in
  *                  which positions first appear
- * nnew     out     how many there are
+ * nnew     out     the count of new numbers
  *
  * Returns 0 or REPAIR_ENOMEM. */
 int repair_weld(int nv, const double *xyz, int *to, int *nnew);

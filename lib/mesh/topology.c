@@ -1,4 +1,4 @@
-/* topology.c - how triangles hang together. */
+/* topology.c - connectivity of a triangle mesh: orientation, components, fans, the boundary loop. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,22 +12,22 @@ prev(int side)
 	return side % 3 == 0 ? side + 2 : side - 1;
 }
 
-/* Give the neighbours of face f a side: that of f where their common side runs both
- * ways, the other where it does not.  queue gets those that had none. */
+/* Decides for the neighbours of face f whether they are turned: as f is if their common edge runs
+ * in opposite directions, else the other way.  Those decided now are appended to queue. */
 static int
-spread(const Topology *t, int f, signed char *turn, int *queue, int *end)
+orient_neighbours(const Topology *t, int f, signed char *turn, int *queue, int *end)
 {
-	int i, g, want, a, b;
+	int i, g, turned, a, b;
 
 	for (i = 3*f; i < 3*f + 3; i++) {
 		if (t->twin[i] < 0)
 			continue;
 		g = t->twin[i] / 3;
-		want = turn[f] ^ (topology_from(t, i) == topology_from(t, t->twin[i]));
+		turned = turn[f] ^ (topology_from(t, i) == topology_from(t, t->twin[i]));
 		if (turn[g] < 0) {
-			turn[g] = (signed char)want;
+			turn[g] = (signed char)turned;
 			queue[(*end)++] = g;
-		} else if (turn[g] != want) {
+		} else if (turn[g] != turned) {
 			a = topology_name(t, topology_from(t, i));
 			b = topology_name(t, topology_to(t, i));
 			return mesh_fail(t->err, MESH_EORIENT,
@@ -51,7 +51,7 @@ topology_orient(const Topology *t, signed char *turn)
 		turn[f] = 0;
 		queue[end++] = f;
 		while (!e && head < end)
-			e = spread(t, queue[head++], turn, queue, &end);
+			e = orient_neighbours(t, queue[head++], turn, queue, &end);
 	}
 	free(queue);
 	return e;
@@ -87,9 +87,9 @@ topology_connected(const Topology *t)
 	return parts == 1 ? 0 : mesh_fail(t->err, MESH_EDISK, "%d components, a disk is one", parts);
 }
 
-/* Mark the sides from one vertex that turning about it from side reaches. */
+/* Marks the sides that leave the vertex of side in its fan, in both directions of rotation. */
 static void
-fan(const Topology *t, int side, char *seen)
+mark_fan(const Topology *t, int side, char *seen)
 {
 	int s;
 
@@ -114,7 +114,7 @@ topology_fans(const Topology *t)
 	}
 	for (i = 0; !e && i < n; i++)
 		if (!seen[i]) {
-			fan(t, (int)i, seen);
+			mark_fan(t, (int)i, seen);
 			fans[topology_from(t, (int)i)]++;
 		}
 	for (v = 0; !e && v < t->nv; v++)
@@ -127,9 +127,9 @@ topology_fans(const Topology *t)
 	return e;
 }
 
-/* out[v] is the boundary side from v, or -1: with one fan there is one at most. */
+/* out[v] is the boundary side from v, or -1: one fan at each vertex leaves one at most. */
 static int
-boundary(const Topology *t, int *out)
+boundary_sides(const Topology *t, int *out)
 {
 	int i, n = 0;
 
@@ -140,9 +140,10 @@ boundary(const Topology *t, int *out)
 	return n;
 }
 
-/* Walk the loop from v and wipe it from out; into loop unless that is NULL. */
+/* Follows the loop from v, removes it from out and stores it in loop unless that is NULL; returns
+ * its length. */
 static int
-walk(const Topology *t, int *out, int v, int *loop)
+follow_loop(const Topology *t, int *out, int v, int *loop)
 {
 	int n, side;
 
@@ -155,9 +156,9 @@ walk(const Topology *t, int *out, int v, int *loop)
 	return n;
 }
 
-/* All loops but the first, which began at vertex v, are too many: say where they are. */
+/* MESH_EDISK with a vertex of each, if there are other loops than the first, which began at vertex v. */
 static int
-loops(const Topology *t, int *out, int v)
+check_one_loop(const Topology *t, int *out, int v)
 {
 	char where[80];
 	int n = 1, len;
@@ -165,7 +166,7 @@ loops(const Topology *t, int *out, int v)
 	len = snprintf(where, sizeof where, "%d", topology_name(t, v));
 	for (v = 0; v < t->nv; v++)
 		if (out[v] >= 0) {
-			walk(t, out, v, NULL);
+			follow_loop(t, out, v, NULL);
 			if (++n <= 4)
 				len += snprintf(where + len, sizeof where - (size_t)len, ", %d",
 				    topology_name(t, v));
@@ -178,7 +179,7 @@ loops(const Topology *t, int *out, int v)
 
 /* Euler: V - E + F = 2 - 2 genus - loops. */
 static int
-handles(const Topology *t)
+check_genus(const Topology *t)
 {
 	const int chi = t->nv - t->nedge + t->nf;
 
@@ -194,7 +195,7 @@ topology_loop(const Topology *t, int **loop, int *nb)
 	out = mesh_alloc(t->err, (size_t)t->nv, sizeof *out);
 	if (!out)
 		return MESH_ENOMEM;
-	n = boundary(t, out);
+	n = boundary_sides(t, out);
 	*loop = n > 0 ? mesh_alloc(t->err, (size_t)n, sizeof **loop) : NULL;
 	if (n == 0) {
 		e = mesh_fail(t->err, MESH_EDISK, "closed surface: no boundary");
@@ -203,9 +204,9 @@ topology_loop(const Topology *t, int **loop, int *nb)
 	} else {
 		for (v = 0; out[v] < 0; v++)
 			continue;
-		*nb = walk(t, out, v, *loop);
-		if ((e = loops(t, out, v)) == 0)
-			e = handles(t);
+		*nb = follow_loop(t, out, v, *loop);
+		if ((e = check_one_loop(t, out, v)) == 0)
+			e = check_genus(t);
 	}
 	free(out);
 	if (e) {

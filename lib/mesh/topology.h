@@ -1,7 +1,8 @@
-/* topology.h - how triangles hang together.  Private to lib/.
+/* topology.h - connectivity of a triangle mesh: twins, orientation, fans, the boundary loop.
+ * Private to lib/.
  *
- * Side 3f+k of face f goes from its corner k to corner k+1.  All in time linear in the
- * mesh, but for sorting the sides around one vertex.
+ * Side 3f+k of face f goes from its corner k to corner k+1.  Time is linear in the mesh,
+ * except for sorting the sides at each vertex.
  */
 #ifndef TOPOLOGY_H
 #define TOPOLOGY_H
@@ -13,8 +14,8 @@ typedef struct Topology {
 	const int *tri;
 	int       *twin;        /* [3*nf] the side of the neighbour, -1 on the boundary */
 	int        nedge;
-	int        odd;         /* some twins go the same way: their faces disagree */
-	const int *file;        /* [nv] numbers to name vertices by, or NULL: as they are */
+	int        odd;         /* some twins run in the same direction: their faces disagree */
+	const int *file;        /* [nv] vertex numbers for messages, or NULL: their own */
 	char      *err;         /* MESH_ERRLEN */
 } Topology;
 
@@ -22,19 +23,18 @@ typedef struct Topology {
  * MESH_EMANIFOLD: an edge of more than two faces. */
 int topology_twins(Topology *t);
 
-/* Find the faces to turn so that neighbours agree: in each component those that do not
- * stand as its first face does.  turn is [nf], 1 to turn, 0 not.  0, MESH_ENOMEM, or
- * MESH_EORIENT: no way. */
+/* Find the faces to turn so that neighbours agree: in each component those that disagree with
+ * its first face.  turn is [nf], 1 to turn, 0 not.  0, MESH_ENOMEM, or MESH_EORIENT: impossible. */
 int topology_orient(const Topology *t, signed char *turn);
 
-/* One component?  Vertices belong together when a face has both.  Every vertex must be
- * of a face.  0, MESH_ENOMEM or MESH_EDISK. */
+/* Check that there is one component; vertices of one face are connected.  Every vertex must belong
+ * to a face.  0, MESH_ENOMEM or MESH_EDISK. */
 int topology_connected(const Topology *t);
 
-/* One fan of faces at every vertex?  Needs !odd.  0, MESH_ENOMEM or MESH_EMANIFOLD. */
+/* Check that every vertex has one fan of faces.  Needs !odd.  0, MESH_ENOMEM or MESH_EMANIFOLD. */
 int topology_fans(const Topology *t);
 
-/* The one boundary loop, as in Disk; needs all of the above.  0, MESH_ENOMEM, or
+/* The one boundary loop, as in Disk.  Needs all checks above.  0, MESH_ENOMEM, or
  * MESH_EDISK: no loop, several, or handles. */
 int topology_loop(const Topology *t, int **loop, int *nb);
 

@@ -1,4 +1,4 @@
-/* twins.c - which side of which face lies along which other: the table of edges. */
+/* twins.c - the side of the neighbouring face across each side. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,8 +20,8 @@ bysides(const void *a, const void *b)
 	return x->side < y->side ? -1 : x->side > y->side;
 }
 
-/* By hi; sides of one edge rise already.  Few meet at most vertices: insertion is faster
- * there. */
+/* Sorts by hi; sides of one edge are in rising order before.  Most vertices have few sides, where
+ * insertion is faster. */
 static void
 sort(Side *s, size_t n)
 {
@@ -54,7 +54,7 @@ high(const Topology *t, int side)
 	return topology_from(t, side) + topology_to(t, side) - low(t, side);
 }
 
-/* Put the sides into buckets by their lower vertex: bucket v is start[v]..start[v+1]-1. */
+/* Sorts the sides by their lower vertex v, into s[start[v]] .. s[start[v+1]-1]. */
 static void
 buckets(const Topology *t, int *start, Side *s)
 {
@@ -72,9 +72,9 @@ buckets(const Topology *t, int *start, Side *s)
 	}
 }
 
-/* Join the sides of the edges from a vertex upwards; nedge counts them, odd becomes 1 when
- * some go the same way.  Returns how many faces has the first edge that has more than two,
- * hi its other end; 0 if none has. */
+/* Pairs the n sides that have the same lower vertex.  nedge counts the edges, odd becomes 1 if two
+ * twins run in the same direction.  Returns 0, or the number of faces of the first edge that has
+ * more than two, *hi its other end. */
 static int
 pair(const Topology *t, Side *s, int n, int *nedge, int *odd, int *hi)
 {
@@ -98,7 +98,8 @@ pair(const Topology *t, Side *s, int n, int *nedge, int *odd, int *hi)
 	return 0;
 }
 
-/* All edges.  Of those with too many faces one at the lowest vertex is named. */
+/* Pairs the sides at all vertices.  Of edges with too many faces, one at the lowest vertex is
+ * reported. */
 static int
 pair_all(Topology *t, const int *start, Side *s)
 {

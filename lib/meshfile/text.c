@@ -28,8 +28,9 @@ text_bytes(Text *t, uint64_t w, int n)
 		t->p[t->n++] = (char)(w & 0xff);
 }
 
-void
-text_number(Text *t, double x, char after)
+/* x with the fewest of 15, 16 or 17 digits that read back as x, and the character after it. */
+static void
+number(Text *t, double x, char after)
 {
 	char *s = t->p + t->n;
 	int digits = 15;
@@ -81,7 +82,7 @@ text_lines(Text *t, const double *x, int nv, int n, const char *before)
 			return MESH_ENOMEM;
 		text_words(t, before);
 		for (c = 0; c < n; c++)
-			text_number(t, x[(size_t)n*i + (size_t)c], c < n - 1 ? ' ' : '\n');
+			number(t, x[(size_t)n*i + (size_t)c], c < n - 1 ? ' ' : '\n');
 	}
 	return 0;
 }
@@ -93,5 +94,5 @@ text_modulus(Text *t, const Soup *s, const char *before)
 		return;
 	text_words(t, before);
 	text_words(t, "lhgrid T ");
-	text_number(t, s->T, '\n');
+	number(t, s->T, '\n');
 }

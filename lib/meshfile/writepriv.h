@@ -21,9 +21,6 @@ int text_room(Text *t);
 /* The n low bytes of w, least significant first. */
 void text_bytes(Text *t, uint64_t w, int n);
 
-/* x with the fewest of 15, 16 or 17 digits that read back as x, and the character after it. */
-void text_number(Text *t, double x, char after);
-
 void text_words(Text *t, const char *s);
 
 /* An integer >= 0. */
