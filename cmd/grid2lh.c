@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "../lib/grid/lambdah.h"
+#include "../lib/grid/stencil.h"
 #include "../lib/base/stats.h"
 #include "shared/chartof.h"
 #include "shared/cmd.h"
@@ -64,7 +65,7 @@ lattice_step(const Lhg *g, int n)
 static void
 report_beltrami(const CmdInput *in, Chart g, const double *const phi[3])
 {
-	size_t n = (size_t)(g.nu - 2)*(g.nv - 2);
+	size_t n = stencil_inner_count(g);
 	double *mu = cmd_alloc(n, sizeof *mu);
 
 	beltrami(g, phi, mu);
@@ -95,7 +96,8 @@ convert(const CmdInput *in, Lhg *g, int curvature, int lattice, int residual)
 	Chart chart = chart_of(g);
 	const double *phi[3];
 	double *lambda, *H;
-	int c, raised;
+	LambdahFlaws flaws;
+	int c;
 
 	if (g->nu < 4 || g->nv < 4)
 		die("%s: %d x %d nodes, need at least 4 x 4", in->name, g->nu, g->nv);
@@ -108,11 +110,13 @@ convert(const CmdInput *in, Lhg *g, int curvature, int lattice, int residual)
 	lhg_drop(g, "H");
 	lambda = cmd_add(g, "lambda", "length", LHG_GRID, 0);
 	H = cmd_add(g, "H", "1/length", LHG_GRID, 0);
-	raised = lambdah(chart, phi, curvature, lambda, H);
+	flaws = lambdah(chart, phi, curvature, lambda, H);
 	if (!(lambda[0] > 0))
 		die("%s: the surface has no extent", in->name);
-	if (raised)
-		detail("%s: %d of %d nodes have hardly a tangent plane", in->name, raised, g->nu*g->nv);
+	if (flaws.raised)
+		detail("%s: %d of %d nodes have hardly a tangent plane", in->name, flaws.raised, g->nu*g->nv);
+	if (flaws.parallel)
+		note("%s: %d nodes where phi_u and phi_v are parallel; H is 0 there", in->name, flaws.parallel);
 	if (residual)
 		add_residue(g, chart, phi, lambda);
 	else

@@ -18,8 +18,11 @@ typedef struct Err {
 static Err
 error(Immersion *f, Chart g, double s)
 {
+	LambdahFlaws flaws;
+
 	sample_immersion(f, g, s, (double **)phi, lambda0, H0);
-	assert_int_equal(lambdah(g, cphi, LAMBDAH_NORMAL, lambda, H), 0);
+	flaws = lambdah(g, cphi, LAMBDAH_NORMAL, lambda, H);
+	assert_int_equal(flaws.raised + flaws.parallel, 0);
 	return (Err){ largest(g.nu*g.nv, lambda, lambda0), largest(g.nu*g.nv, H, H0) };
 }
 
@@ -122,10 +125,11 @@ beltrami_of_a_shear(void **state)
 		assert_true(mu[p] < 1e-4);
 }
 
-/* A surface that collapses to a point inside keeps lambda > 0 and H finite. */
+/* A surface of which 5 x 5 nodes collapse to a point keeps lambda > 0 and H finite. */
 static void
 collapsed_nodes_are_counted(void **state)
 {
+	LambdahFlaws flaws;
 	int i, j, p;
 
 	(void)state;
@@ -135,9 +139,34 @@ collapsed_nodes_are_counted(void **state)
 			p = j*COARSE.nu + i;
 			x[p] = y[p] = z[p] = 0.5;
 		}
-	assert_int_equal(lambdah(COARSE, cphi, LAMBDAH_NORMAL, lambda, H), 9);
+	flaws = lambdah(COARSE, cphi, LAMBDAH_NORMAL, lambda, H);
+	assert_int_equal(flaws.raised, 9);
+	assert_int_equal(flaws.parallel, 12);           /* phi_u or phi_v is 0 along its sides */
 	for (p = 0; p < COARSE.nu*COARSE.nv; p++)
 		assert_true(lambda[p] > 0 && isfinite(H[p]));
+}
+
+/* Where u = 10 the plane folds into a line that is along no axis: phi_u and phi_v are parallel
+ * but for rounding. */
+static void
+parallel_tangents_are_counted(void **state)
+{
+	const int nu = COARSE.nu, nv = COARSE.nv;
+	const double a[3] = { 0.3, 0.7, -0.2 };
+	LambdahFlaws flaws;
+	int c, p;
+
+	(void)state;
+	sample_immersion(plane, COARSE, 1, (double **)phi, NULL, NULL);
+	for (p = 0; p < nu*nv; p++)
+		for (c = 0; c < 3; c++)
+			if (p%nu >= 9 && p%nu <= 11)
+				phi[c][p] = a[c]*(p%nu*chart_h(COARSE) + 0.37*(p/nu)*chart_k(COARSE));
+	flaws = lambdah(COARSE, cphi, LAMBDAH_NORMAL, lambda, H);
+	assert_int_equal(flaws.raised, 0);
+	assert_int_equal(flaws.parallel, nv - 2);
+	for (p = nu + 10; p < (nv - 1)*nu; p += nu)
+		assert_true(H[p] == 0 && lambda[p] > 0.1);
 }
 
 int
@@ -151,6 +180,7 @@ main(void)
 		cmocka_unit_test(magnitude_agrees_where_conformal),
 		cmocka_unit_test(beltrami_of_a_shear),
 		cmocka_unit_test(collapsed_nodes_are_counted),
+		cmocka_unit_test(parallel_tangents_are_counted),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

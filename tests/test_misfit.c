@@ -6,9 +6,10 @@
 #include "../lib/base/field.h"
 #include "../lib/grid/lambdah.h"
 #include "../lib/surface/misfit.h"
+#include "charts.h"
 #include "surfaces.h"
 
-static const Chart CHART = { 34, 45, 0.8, &CHART_RECTANGLE };
+static Chart chart = { 34, 45, 0.8, &CHART_RECTANGLE };
 enum { N = 34*45 };
 
 static double phi[3*N], lambda[N], H[N], lambda2[N], l2H[N], nu[2][N], tau[2][N];
@@ -22,11 +23,11 @@ surface_of_size(double size)
 	double *x[3] = { phi, phi + N, phi + 2*N }, *const nus[2] = { nu[0], nu[1] }, *const taus[2] = { tau[0], tau[1] };
 	int p;
 
-	sample_immersion(torus, CHART, size, x, NULL, NULL);
+	sample_immersion(torus, chart, size, x, NULL, NULL);
 	for (p = 0; p < N; p++)
 		phi[p] += size*0.05*sin(p%34*0.3)*cos(p/34*0.2 + 1);
-	lambdah(CHART, (const double *const *)x, LAMBDAH_NORMAL, lambda, H);
-	lambdah_residue(CHART, (const double *const *)x, lambda, nus, taus);
+	lambdah(chart, (const double *const *)x, LAMBDAH_NORMAL, lambda, H);
+	lambdah_residue(chart, (const double *const *)x, lambda, nus, taus);
 	for (p = 0; p < N; p++) {
 		lambda2[p] = lambda[p]*lambda[p];
 		l2H[p] = lambda2[p]*H[p];
@@ -55,7 +56,7 @@ misfit_of(const Residue *r)
 {
 	Misfit m;
 
-	assert_int_equal(misfit_init(&m, CHART, lambda2, l2H, r), 0);
+	assert_int_equal(misfit_init(&m, chart, lambda2, l2H, r), 0);
 	m.w = 40;
 	m.alpha = 0.6;
 	if (boundary_is_free)
@@ -140,6 +141,39 @@ normal_matrix_is_that_of_the_gradient(void **state)
 	misfit_free(&m);
 }
 
+/* On charts with joined sides, with residues: an odd field among them, tau. */
+static void
+gradient_beyond_joined_sides(void **state)
+{
+	double t = 1e-6, slope;
+	Misfit m;
+	int q, k;
+
+	(void)state;
+	boundary_is_free = 1;
+	for (q = 1; q < 4; q++) {
+		chart.kind = KINDS[q];
+		surface_of_size(1);
+		random_displacement(5, 0.001, e);
+		for (k = 0; k < 3*N; k++)
+			phi[k] += e[k];
+		m = misfit_of(&residue);
+		misfit_gradient(&m, phi, g);
+		for (k = 1; k < 5; k++) {
+			random_displacement(10 + k, 1, d);
+			slope = (energy_at(&m, t, d) - energy_at(&m, -t, d))/(2*t);
+			assert_true(fabs(2*field_dot(3*N, g, d)/slope - 1) < 1e-5);
+		}
+		random_displacement(2, 1, e);
+		misfit_normal(&m, phi, d, f);
+		misfit_normal(&m, phi, e, g);
+		assert_true(fabs(field_dot(3*N, e, f)/field_dot(3*N, d, g) - 1) < 1e-12);
+		misfit_free(&m);
+	}
+	chart.kind = &CHART_RECTANGLE;
+	boundary_is_free = 0;
+}
+
 /* As these, with border nodes that move. */
 static void
 free_gradient_is_the_derivative(void **state)
@@ -191,7 +225,7 @@ free_border_has_its_energy(void **state)
 	int p;
 
 	(void)state;
-	sample_immersion(plane, CHART, 1, (double *[3]){ phi, phi + N, phi + 2*N }, lambda, H);
+	sample_immersion(plane, chart, 1, (double *[3]){ phi, phi + N, phi + 2*N }, lambda, H);
 	for (p = 0; p < N; p++) {
 		lambda2[p] = lambda[p]*lambda[p];
 		l2H[p] = 0;
@@ -284,6 +318,7 @@ main(void)
 		cmocka_unit_test(energy_is_zero_at_the_surface),
 		cmocka_unit_test(gradient_is_the_derivative),
 		cmocka_unit_test(normal_matrix_is_that_of_the_gradient),
+		cmocka_unit_test(gradient_beyond_joined_sides),
 		cmocka_unit_test(free_gradient_is_the_derivative),
 		cmocka_unit_test(free_normal_matrix_is_symmetric),
 		cmocka_unit_test(free_border_has_its_energy),

@@ -1,74 +1,61 @@
 /* lambdah.c - conformal factor and mean curvature by central differences. */
 #include "lambdah.h"
+#include "stencil.h"
 #include "../base/vec3.h"
 
-/* phi_u and phi_v at inner node p. */
+/* |phi_u x phi_v| over lambda^2 at most at which the two are parallel, to rounding. */
+static const double PARALLEL = 1e-14;
+
+/* lambda and H at inner node (i,j); H is not a number if phi_u and phi_v are parallel. */
 static void
-tangents(Chart g, const double *const phi[3], int p, double phi_u[3], double phi_v[3])
-{
-	double h = chart_h(g), k = chart_k(g);
-	int c;
-
-	for (c = 0; c < 3; c++) {
-		phi_u[c] = (phi[c][p+1] - phi[c][p-1])/(2*h);
-		phi_v[c] = (phi[c][p+g.nu] - phi[c][p-g.nu])/(2*k);
-	}
-}
-
-/* phi_uu + phi_vv at inner node p.                                             (27) */
-static void
-laplacian(Chart g, const double *const phi[3], int p, double lap[3])
-{
-	double h = chart_h(g), k = chart_k(g);
-	int c;
-
-	for (c = 0; c < 3; c++)
-		lap[c] = (phi[c][p+1] - 2*phi[c][p] + phi[c][p-1])/(h*h)
-		    + (phi[c][p+g.nu] - 2*phi[c][p] + phi[c][p-g.nu])/(k*k);
-}
-
-/* lambda and H at inner node p; H = 0 without a tangent plane. */
-static void
-at_node(Chart g, const double *const phi[3], int curvature, int p, double *lambda, double *H)
+at_node(Chart g, const double *const phi[3], int curvature, int i, int j, double *lambda, double *H)
 {
 	double phi_u[3], phi_v[3], lap[3], n[3], area, along, lambda2;
 
-	tangents(g, phi, p, phi_u, phi_v);
-	laplacian(g, phi, p, lap);
+	stencil_tangents(g, phi, i, j, phi_u, phi_v);
+	stencil_laplacian(g, phi, i, j, lap);                           /* (27) */
 	cross3(phi_u, phi_v, n);
-	area = norm3(n);
+	area = norm3(n);                                                /* (29) */
 	lambda2 = (dot3(phi_u, phi_u) + dot3(phi_v, phi_v))/2;          /* (25) */
 	*lambda = sqrt(lambda2);
-	*H = 0;
-	if (!(area > 0))
+	*H = NAN;
+	if (!(area > PARALLEL*lambda2))
 		return;
 	along = dot3(lap, n)/area;
 	if (curvature == LAMBDAH_MAGNITUDE)
 		along = copysign(norm3(lap), along);                    /* (28) */
-	*H = along/(2*lambda2);                                         /* (26) */
+	*H = along/(2*lambda2);                                         /* (26), (9) */
 }
 
-/* Keeps lambda away from 0, where log lambda and 1/lambda are not defined. */
-static int
-raise_floor(Chart g, double *lambda, double *H)
+/* Keeps lambda away from 0, where log lambda and 1/lambda are not defined, and H finite. */
+static LambdahFlaws
+mend(Chart g, double *lambda, double *H)
 {
+	Range columns = stencil_inner(g, 0), rows = stencil_inner(g, 1);
+	LambdahFlaws flaws = { 0, 0 };
 	double sum = 0, least;
-	int i, j, p, raised = 0;
+	int i, j, p;
 
-	for (j = 1; j < g.nv - 1; j++)
-		for (p = j*g.nu + 1; p < (j+1)*g.nu - 1; p++)
+	for (j = rows.from; j < rows.to; j++)
+		for (i = columns.from; i < columns.to; i++) {
+			p = j*g.nu + i;
 			sum += lambda[p]*lambda[p];
-	least = 1e-4*sqrt(sum/((g.nu - 2.0)*(g.nv - 2.0)));
-	for (j = 1; j < g.nv - 1; j++)
-		for (i = 1; i < g.nu - 1; i++) {
+		}
+	least = 1e-4*sqrt(sum/stencil_inner_count(g));
+	for (j = rows.from; j < rows.to; j++)
+		for (i = columns.from; i < columns.to; i++) {
 			p = j*g.nu + i;
 			if (lambda[p] > least && isfinite(H[p]))
 				continue;
-			lambda[p] = least;
+			if (lambda[p] > least && isnan(H[p]))
+				flaws.parallel++;
+			else {
+				lambda[p] = least;
+				flaws.raised++;
+			}
 			H[p] = 0;
-			raised++;
 		}
-	return raised;
+	return flaws;
 }
 
 static double
@@ -90,20 +77,41 @@ extend(int n, int first, int stride, int in, double *lambda, double *H)
 	}
 }
 
-/* Whether node p is within CORNER nodes of a corner, counted along both directions. */
+/* The outermost ring of nodes, side by side as far as they are open. */
+static void
+extend_sides(Chart g, double *lambda, double *H)
+{
+	Range columns = stencil_inner(g, 0), rows = stencil_inner(g, 1);
+	int inner = rows.to - rows.from, first = rows.from*g.nu;
+
+	if (columns.from > 0)
+		extend(inner, first, g.nu, 1, lambda, H);
+	if (columns.to < g.nu)
+		extend(inner, first + g.nu - 1, g.nu, -1, lambda, H);
+	if (rows.from > 0)
+		extend(g.nu, 0, 1, g.nu, lambda, H);
+	if (rows.to < g.nv)
+		extend(g.nu, (g.nv - 1)*g.nu, 1, -g.nu, lambda, H);
+}
+
 enum { CORNER = 8 };
 
+/* Whether node i of n is within CORNER nodes of an end with an open side. */
+static int
+near_end(Range inner, int n, int i)
+{
+	return (inner.from > 0 && i < CORNER) || (inner.to < n && i >= n - CORNER);
+}
+
+/* Whether node p is within CORNER nodes of a corner, counted along both directions. */
 static int
 in_corner(Chart g, int p)
 {
-	int i = p%g.nu, j = p/g.nu;
-
-	return (i < CORNER || i >= g.nu - CORNER) && (j < CORNER || j >= g.nv - CORNER);
+	return near_end(stencil_inner(g, 0), g.nu, p%g.nu) && near_end(stencil_inner(g, 1), g.nv, p/g.nu);
 }
 
-/* |H| near a corner held to four times the root mean square of H elsewhere: where the
- * boundary of the mesh is smooth there, lambda goes to 0 and H, of a few nodes, to 10^3
- * times the rest, which turns its whole spectrum white. */
+/* Where the boundary of the mesh is smooth at a corner of the rectangle, lambda goes to 0 there
+ * and H, at a few nodes, to 10^3 times the rest, which swamps the whole spectrum of H. */
 void
 lambdah_limit_corners(Chart g, double *H)
 {
@@ -123,20 +131,21 @@ lambdah_limit_corners(Chart g, double *H)
 			H[p] = clamp(H[p], -most, most);
 }
 
-int
+LambdahFlaws
 lambdah(Chart g, const double *const phi[3], int curvature, double *lambda, double *H)
 {
-	int j, p, raised;
+	Range columns = stencil_inner(g, 0), rows = stencil_inner(g, 1);
+	LambdahFlaws flaws;
+	int i, j, p;
 
-	for (j = 1; j < g.nv - 1; j++)
-		for (p = j*g.nu + 1; p < (j+1)*g.nu - 1; p++)
-			at_node(g, phi, curvature, p, &lambda[p], &H[p]);
-	raised = raise_floor(g, lambda, H);
-	extend(g.nv - 2, g.nu, g.nu, 1, lambda, H);
-	extend(g.nv - 2, 2*g.nu - 1, g.nu, -1, lambda, H);
-	extend(g.nu, 0, 1, g.nu, lambda, H);
-	extend(g.nu, (g.nv - 1)*g.nu, 1, -g.nu, lambda, H);
-	return raised;
+	for (j = rows.from; j < rows.to; j++)
+		for (i = columns.from; i < columns.to; i++) {
+			p = j*g.nu + i;
+			at_node(g, phi, curvature, i, j, &lambda[p], &H[p]);
+		}
+	flaws = mend(g, lambda, H);
+	extend_sides(g, lambda, H);
+	return flaws;
 }
 
 void
@@ -149,10 +158,10 @@ lambdah_residue(Chart g, const double *const phi[3], const double *lambda, doubl
 	for (p = 0, j = 0; j < g.nv; j++)
 		for (i = 0; i < g.nu; i++, p++) {
 			nu[0][p] = nu[1][p] = tau[0][p] = tau[1][p] = 0;
-			if (i == 0 || j == 0 || i == g.nu - 1 || j == g.nv - 1)
+			if (!stencil_is_inner(g, i, j))
 				continue;
-			tangents(g, phi, p, phi_u, phi_v);
-			laplacian(g, phi, p, lap);
+			stencil_tangents(g, phi, i, j, phi_u, phi_v);
+			stencil_laplacian(g, phi, i, j, lap);
 			l2 = lambda[p]*lambda[p];
 			nu[0][p] = (dot3(phi_u, phi_u) - dot3(phi_v, phi_v))/(2*l2);
 			nu[1][p] = dot3(phi_u, phi_v)/l2;
@@ -164,12 +173,13 @@ lambdah_residue(Chart g, const double *const phi[3], const double *lambda, doubl
 void
 beltrami(Chart g, const double *const phi[3], double *mu)
 {
+	Range columns = stencil_inner(g, 0), rows = stencil_inner(g, 1);
 	double phi_u[3], phi_v[3], E, F, G, root;
-	int j, p;
+	int i, j;
 
-	for (j = 1; j < g.nv - 1; j++)
-		for (p = j*g.nu + 1; p < (j+1)*g.nu - 1; p++) {
-			tangents(g, phi, p, phi_u, phi_v);
+	for (j = rows.from; j < rows.to; j++)
+		for (i = columns.from; i < columns.to; i++) {
+			stencil_tangents(g, phi, i, j, phi_u, phi_v);
 			E = dot3(phi_u, phi_u);
 			F = dot3(phi_u, phi_v);
 			G = dot3(phi_v, phi_v);

@@ -1,15 +1,21 @@
-/* lambdah.h - from an immersion of the chart to its conformal factor and mean curvature. */
+/* lambdah.h - conformal factor and mean curvature of a gridded surface. */
 #ifndef LAMBDAH_H
 #define LAMBDAH_H
 
 #include "../base/chart.h"
 
-/* How H is taken from the Laplacian of phi. */
+/* How H is computed from the Laplacian of phi. */
 enum {
 	LAMBDAH_NORMAL,         /* its part along n: H = <Delta phi, n>/(2 lambda^2) */
 	LAMBDAH_MAGNITUDE       /* its length, as the paper's (26): the same for an exactly
 	                         * conformal grid, else it counts the tangential error too */
 };
+
+/* Inner nodes where lambda or H is not what the equations give. */
+typedef struct LambdahFlaws {
+	int raised;             /* lambda was below its least value, or H not finite; H is 0 */
+	int parallel;           /* phi_u and phi_v are parallel, to rounding; H is 0 */
+} LambdahFlaws;
 
 /* lambda and H of phi, at least 4 nodes in either direction.
  *
@@ -18,26 +24,29 @@ enum {
  *
  * Inside, central differences of second order with steps h and k.  On the outermost ring
  * nothing is differenced, as a corner of the rectangle is a square-root singularity of
- * the map: H goes on linearly and lambda geometrically from the two rings within, the
- * step of lambda held between 1/2 and 2 and that of H to the size of the inner value.
+ * the map: H is extrapolated linearly and lambda geometrically from the two rings within,
+ * with the ratio for lambda limited to [1/2, 2] and the increment of H limited to |H| of the
+ * inner ring.  doc/mathematics.md 4.3, 4.4.
  *
- * lambda is at least 1e-4 of its root mean square; H is 0 where phi has no tangent
- * plane.  phi, lambda and H are [nv][nu].  Returns the number of inner nodes where
- * lambda was raised or H set so. */
-int lambdah(Chart g, const double *const phi[3], int curvature, double *lambda, double *H);
+ * lambda is at least 1e-4 of its root mean square.  phi, lambda and H are [nv][nu].
+ *
+ * The Gauss curvature K = -(Delta log lambda)/lambda^2 (10) follows from lambda; no program
+ * needs it. */
+LambdahFlaws lambdah(Chart g, const double *const phi[3], int curvature, double *lambda, double *H);
 
-/* |H| within eight nodes of a corner, of grids larger than 24 nodes, held to four times its
+/* Limits |H| within eight nodes of a corner, of grids larger than 24 nodes, to four times its
  * root mean square elsewhere. */
 void lambdah_limit_corners(Chart g, double *H);
 
-/* What (lambda, H) do not say of a grid that is not quite conformal: at inner nodes, else 0,
+/* The residual channels: what (lambda, H) leave open on a grid that is not quite conformal.  At
+ * inner nodes, else 0 (doc/mathematics.md 6.7),
  *
  *   nu[0] = (|phi_u|^2 - |phi_v|^2)/(2 lambda^2)     tau[0] = <Delta phi, phi_u>/lambda^2
  *   nu[1] = <phi_u, phi_v>/lambda^2                  tau[1] = <Delta phi, phi_v>/lambda^2 */
 void lambdah_residue(Chart g, const double *const phi[3], const double *lambda, double *const nu[2],
 	double *const tau[2]);
 
-/* Modulus of the Beltrami coefficient of phi at each inner node, (nu-2)*(nv-2) values
+/* Modulus of the Beltrami coefficient of phi at each inner node, stencil_inner_count(g) values
  * in row order: 0 where phi is conformal, 1 where it has no tangent plane.
  *
  *   |mu_B|^2 = (E + G - 2 sqrt(EG - F^2))/(E + G + 2 sqrt(EG - F^2)) */

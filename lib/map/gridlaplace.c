@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../base/field.h"
+#include "../grid/stencil.h"
 #include "gridlaplace.h"
 #include "../poisson/planelaplace.h"
 #include "../base/vec3.h"
@@ -13,24 +14,13 @@ static const double REDUCTION = 1e-3;   /* of the preconditioned residual */
 
 /* ---- the matrix ------------------------------------------------------ */
 
-/* Derivative at node i of n, second order also at the ends; f points at the node. */
-static double
-central(const double *f, int i, int n, long stride, double step)
-{
-	if (i == 0)
-		return (-3*f[0] + 4*f[stride] - f[2*stride])/(2*step);
-	if (i == n - 1)
-		return (3*f[0] - 4*f[-stride] + f[-2*stride])/(2*step);
-	return (f[stride] - f[-stride])/(2*step);
-}
-
 /* A surface with its central differences: 9 numbers a node, phi, phi_u, phi_v. */
 typedef struct Node {
 	double phi[3], phi_u[3], phi_v[3];
 } Node;
 
 static Node *
-differentiate(Chart g, double *const phi[3])
+differentiate(Chart g, const double *const phi[3])
 {
 	int n = g.nu*g.nv, p, c;
 	Node *node = malloc(n*sizeof *node);
@@ -38,12 +28,11 @@ differentiate(Chart g, double *const phi[3])
 	if (!node)
 		return NULL;
 	#pragma omp parallel for schedule(static) private(c)
-	for (p = 0; p < n; p++)
-		for (c = 0; c < 3; c++) {
+	for (p = 0; p < n; p++) {
+		for (c = 0; c < 3; c++)
 			node[p].phi[c] = phi[c][p];
-			node[p].phi_u[c] = central(phi[c] + p, p%g.nu, g.nu, 1, chart_h(g));
-			node[p].phi_v[c] = central(phi[c] + p, p/g.nu, g.nv, g.nu, chart_k(g));
-		}
+		stencil_tangents(g, phi, p%g.nu, p/g.nu, node[p].phi_u, node[p].phi_v);
+	}
 	return node;
 }
 
@@ -123,7 +112,7 @@ fill_row(GridLaplace *l, const Node *node, int j, int metric)
 int
 gridlaplace_init(GridLaplace *l, Chart g, double *const phi[3], int metric)
 {
-	Node *node = differentiate(g, phi);
+	Node *node = differentiate(g, (const double *[3]){ phi[0], phi[1], phi[2] });
 	int j;
 
 	l->g = g;

@@ -3,6 +3,7 @@
 
 #include "cellsq.h"
 #include "frame.h"
+#include "../grid/stencil.h"
 #include "../base/vec3.h"
 
 enum { FRAME_HELD = 2 };        /* rings where frame and second form are known */
@@ -141,43 +142,27 @@ position(const void *ctx, int i, int j, CellRows *r)
 	}
 }
 
-/* f_u, f_v, f_uu, f_uv, f_vv of one coordinate at inner node p. */
-static void
-differences(Chart g, const double *f, int p, double d[5])
-{
-	double h = chart_h(g), k = chart_k(g);
-	int w = g.nu;
-
-	d[0] = (f[p+1] - f[p-1])/(2*h);
-	d[1] = (f[p+w] - f[p-w])/(2*k);
-	d[2] = (f[p+1] - 2*f[p] + f[p-1])/(h*h);
-	d[3] = (f[p+w+1] - f[p+w-1] - f[p-w+1] + f[p-w-1])/(4*h*k);
-	d[4] = (f[p+w] - 2*f[p] + f[p-w])/(k*k);
-}
-
-/* Frame and second form of phi at inner node p. */
+/* Frame and second form of phi at inner node (i,j). */
 static int
-node_of_band(Chart g, double *const phi[3], int p, double pqn[9], double DM[2])
+node_of_band(Chart g, const double *const phi[3], int i, int j, double pqn[9], double DM[2])
 {
-	double d[3][5], form[3] = { 0, 0, 0 }, area;
-	int c, e;
+	double *p = pqn, *q = pqn + 3, *n = pqn + 6, uu[3], uv[3], vv[3], L = 0, M = 0, N = 0, area;
+	int c;
 
-	for (c = 0; c < 3; c++) {
-		differences(g, phi[c], p, d[c]);
-		pqn[c] = d[c][0];
-		pqn[3+c] = d[c][1];
-	}
-	cross3(pqn, pqn + 3, pqn + 6);
-	area = norm3(pqn + 6);
+	stencil_tangents(g, phi, i, j, p, q);
+	stencil_second_form(g, phi, i, j, uu, uv, vv);
+	cross3(p, q, n);
+	area = norm3(n);
 	if (!(area > 0))
 		return FRAME_EBAND;
 	for (c = 0; c < 3; c++) {
-		pqn[6+c] /= area;
-		for (e = 0; e < 3; e++)
-			form[e] += d[c][2+e]*pqn[6+c];          /* L, M, N */
+		n[c] /= area;
+		L += uu[c]*n[c];
+		M += uv[c]*n[c];
+		N += vv[c]*n[c];
 	}
-	DM[0] = (form[0] - form[2])/2;
-	DM[1] = form[1];
+	DM[0] = (L - N)/2;
+	DM[1] = M;
 	return 0;
 }
 
@@ -201,6 +186,7 @@ from_end(int i, int n)
 static int
 read_band(Given *s, int ring, Chart fine, double *const phi[3], int *at)
 {
+	const double *const cphi[3] = { phi[0], phi[1], phi[2] };
 	int nu = s->g.nu, nv = s->g.nv, p, i, j;
 
 	for (p = 0; p < nu*nv; p++) {
@@ -208,8 +194,10 @@ read_band(Given *s, int ring, Chart fine, double *const phi[3], int *at)
 		j = from_end(p/nu, nv);
 		if ((i < j ? i : j) != ring)
 			continue;
-		*at = beside(p/nu, nv, fine.nv)*fine.nu + beside(p%nu, nu, fine.nu);
-		if (node_of_band(fine, phi, *at, s->pqn + 9*(size_t)p, s->DM + 2*(size_t)p))
+		i = beside(p%nu, nu, fine.nu);
+		j = beside(p/nu, nv, fine.nv);
+		*at = j*fine.nu + i;
+		if (node_of_band(fine, cphi, i, j, s->pqn + 9*(size_t)p, s->DM + 2*(size_t)p))
 			return FRAME_EBAND;
 	}
 	return 0;

@@ -17,12 +17,13 @@ clip(const Misfit *m, double lambda2, double l2H)
 	return q > FINEST && !m->residue ? l2H*FINEST/q : l2H;
 }
 
-/* |grad log lambda|^2 at inner node p. */
+/* |grad log lambda|^2 at inner node (i,j). */
 static double
-gradient2(const Misfit *m, size_t p)
+gradient2(const Misfit *m, int i, int j)
 {
-	double u = log(m->lambda2[p+1]/m->lambda2[p-1])/(4*chart_h(m->g));
-	double v = log(m->lambda2[p+m->g.nu]/m->lambda2[p-m->g.nu])/(4*chart_k(m->g));
+	Stencil su = stencil_at(m->g, 0, 1, i, j), sv = stencil_at(m->g, 1, 1, i, j);
+	double u = log(m->lambda2[su.node[0]]/m->lambda2[su.node[2]])/(4*chart_h(m->g));
+	double v = log(m->lambda2[sv.node[0]]/m->lambda2[sv.node[2]])/(4*chart_k(m->g));
 
 	return u*u + v*v;
 }
@@ -31,6 +32,7 @@ static void
 fill(Misfit *m, const double *lambda2, const double *l2H)
 {
 	size_t n = (size_t)m->g.nu*m->g.nv, p;
+	Range columns = stencil_inner(m->g, 0), rows = stencil_inner(m->g, 1);
 	double sum = 0;
 	int i, j;
 
@@ -39,14 +41,14 @@ fill(Misfit *m, const double *lambda2, const double *l2H)
 		m->l2H2[p] = 2*clip(m, lambda2[p], l2H[p]);
 		m->o[p] = 0;
 	}
-	for (j = 1; j < m->g.nv - 1; j++)
-		for (i = 1; i < m->g.nu - 1; i++)
+	for (j = rows.from; j < rows.to; j++)
+		for (i = columns.from; i < columns.to; i++)
 			sum += lambda2[(size_t)j*m->g.nu + i];
-	m->scale = (m->g.nu - 2.0)*(m->g.nv - 2.0)/sum;
-	for (j = 1; j < m->g.nv - 1; j++)
-		for (i = 1; i < m->g.nu - 1; i++) {
+	m->scale = stencil_inner_count(m->g)/sum;
+	for (j = rows.from; j < rows.to; j++)
+		for (i = columns.from; i < columns.to; i++) {
 			p = (size_t)j*m->g.nu + i;
-			m->o[p] = misfit_weight(m, p, gradient2(m, p));
+			m->o[p] = misfit_weight(m, p, gradient2(m, i, j));
 		}
 }
 
@@ -60,7 +62,7 @@ misfit_init(Misfit *m, Chart g, const double *lambda2, const double *l2H, const 
 	m->l2H2 = malloc(n*sizeof(double));
 	m->o = malloc(n*sizeof(double));
 	m->row = malloc(2*(size_t)g.nv*sizeof(double));
-	m->work = malloc((size_t)misfit_strips(g)*27*g.nu*sizeof(double));
+	m->work = malloc((size_t)misfit_strips(g)*27*(g.nu + 2)*sizeof(double));
 	if (!m->lambda2 || !m->l2H2 || !m->o || !m->row || !m->work) {
 		misfit_free(m);
 		return MISFIT_ENOMEM;
@@ -93,72 +95,73 @@ misfit_free(Misfit *m)
 static double
 total(const Misfit *m, const double *row)
 {
+	Range rows = stencil_inner(m->g, 1);
 	double sum = 0;
 	int j;
 
-	for (j = 1; j < m->g.nv - 1; j++)
+	for (j = rows.from; j < rows.to; j++)
 		sum += row[j];
 	return sum;
 }
 
 /* What so many neighbours share of E. */
 static void
-energy_of(const Misfit *m, const double *phi, size_t p, int count, Nodes *e)
+energy_of(const Misfit *m, const double *phi, const Quad *q, Nodes *e)
 {
 	Nodes r[MISFIT_PARTS], w[MISFIT_PARTS];
 	Local a;
 	int c;
 
-	local(m, phi, p, count, &a);
-	residuals(m, &a, p, count, r);
-	weights(m, p, count, w);
+	local(m, phi, q, &a);
+	residuals(m, &a, q, r);
+	weights(m, q, w);
 	*e = w[0]*r[0]*r[0];
 	for (c = 1; c < MISFIT_PARTS; c++)
 		*e += w[c]*r[c]*r[c];
 }
 
-static int
-few(const Misfit *m, int i)
-{
-	return m->g.nu - 1 - i < NODES ? m->g.nu - 1 - i : NODES;
-}
-
 double
 misfit_energy(const Misfit *m, const double *phi)
 {
+	Range columns = stencil_inner(m->g, 0), rows = stencil_inner(m->g, 1);
 	double most;
 	size_t at;
-	int i, j, k;
+	int j, k;
 
-#pragma omp parallel for schedule(static) private(i, k)
-	for (j = 1; j < m->g.nv - 1; j++)
-		for (m->row[j] = 0, i = 1; i < m->g.nu - 1; i += NODES) {
-			Nodes e;
+#pragma omp parallel for schedule(static) private(k)
+	for (j = rows.from; j < rows.to; j++) {
+		Quad q;
+		Nodes e;
 
-			energy_of(m, phi, (size_t)j*m->g.nu + i, few(m, i), &e);
-			for (k = 0; k < few(m, i); k++)
+		m->row[j] = 0;
+		for (q = quad_row(m->g, columns, j); q.count > 0; quad_next(&q)) {
+			energy_of(m, phi, &q, &e);
+			for (k = 0; k < q.count; k++)
 				m->row[j] += e[k];
 		}
+	}
 	return total(m, m->row) + (m->free ? misfit_border_energy(m, phi, &at, &most) : 0);
 }
 
 size_t
 misfit_worst(const Misfit *m, const double *phi)
 {
-	size_t at = m->g.nu + 1;
+	Range columns = stencil_inner(m->g, 0), rows = stencil_inner(m->g, 1);
+	size_t at = (size_t)rows.from*m->g.nu + columns.from;
 	double most = -1;
-	int i, j, k;
+	int j, k;
 	Nodes e;
+	Quad q;
 
 	if (m->free)
 		misfit_border_energy(m, phi, &at, &most);
-	for (j = 1; j < m->g.nv - 1; j++)
-		for (i = 1; i < m->g.nu - 1; i += NODES) {
-			energy_of(m, phi, (size_t)j*m->g.nu + i, few(m, i), &e);
-			for (k = 0; k < few(m, i); k++)
+	for (j = rows.from; j < rows.to; j++)
+		for (q = quad_row(m->g, columns, j); q.count > 0; quad_next(&q)) {
+			energy_of(m, phi, &q, &e);
+			for (k = 0; k < q.count; k++)
 				if (!(e[k] <= most)) {
 					most = e[k];
-					at = (size_t)j*m->g.nu + i + k;
+					at = q.p + k;
 				}
 		}
 	return at;
@@ -167,24 +170,27 @@ misfit_worst(const Misfit *m, const double *phi)
 double
 misfit_scale_error(const Misfit *m, const double *phi)
 {
+	Range columns = stencil_inner(m->g, 0), rows = stencil_inner(m->g, 1);
 	double *weight = m->row + m->g.nv, o2, x;
-	int i, j, k;
+	int j, k;
 
-#pragma omp parallel for schedule(static) private(i, k, o2, x)
-	for (j = 1; j < m->g.nv - 1; j++)
-		for (m->row[j] = weight[j] = 0, i = 1; i < m->g.nu - 1; i += NODES) {
-			size_t p = (size_t)j*m->g.nu + i;
-			Nodes r[MISFIT_PARTS];
-			Local a;
+#pragma omp parallel for schedule(static) private(k, o2, x)
+	for (j = rows.from; j < rows.to; j++) {
+		Nodes r[MISFIT_PARTS];
+		Local a;
+		Quad q;
 
-			local(m, phi, p, few(m, i), &a);
-			residuals(m, &a, p, few(m, i), r);
-			for (k = 0; k < few(m, i); k++) {
-				o2 = m->o[p+k]*m->o[p+k];
-				m->row[j] += o2*r[3][k]*r[3][k]/m->lambda2[p+k];
-				weight[j] += o2*m->lambda2[p+k];
+		m->row[j] = weight[j] = 0;
+		for (q = quad_row(m->g, columns, j); q.count > 0; quad_next(&q)) {
+			local(m, phi, &q, &a);
+			residuals(m, &a, &q, r);
+			for (k = 0; k < q.count; k++) {
+				o2 = m->o[q.p+k]*m->o[q.p+k];
+				m->row[j] += o2*r[3][k]*r[3][k]/m->lambda2[q.p+k];
+				weight[j] += o2*m->lambda2[q.p+k];
 			}
 		}
+	}
 	x = total(m, weight);
 	return x > 0 ? sqrt(total(m, m->row)/x) : 0;
 }

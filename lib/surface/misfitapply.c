@@ -1,7 +1,7 @@
 /* misfitapply.c - products with the Jacobian of the residuals and with its transpose.
  *
- * In one pass over the rows: the nodes of a row say what they want changed in phi_u, phi_v
- * and Delta phi; of three such rows is made the middle row of the result.
+ * In one pass over the rows: each row of nodes gets its adjoint values for phi_u, phi_v and
+ * Delta phi; the transposed differences of three such rows give the middle row of the result.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -10,109 +10,144 @@
 #include "misfitborder.h"
 #include "misfitnode.h"
 
-/* What inner row j wants, nine rows f, to get nearer to J d; without d, to the residuals. */
+/* Nodes whose positions are unknowns, along one axis. */
+static Range
+unknowns(const Misfit *m, int axis)
+{
+	return m->free ? (Range){ 0, axis ? m->g.nv : m->g.nu } : stencil_inner(m->g, axis);
+}
+
+/* Numbers in a row of adjoint values, which has a place beyond each end. */
+static size_t
+row_length(const Misfit *m)
+{
+	return (size_t)m->g.nu + 2;
+}
+
+/* Nine rows of adjoint values of row j: W J d, or W r if d is NULL, with respect to phi_u, phi_v
+ * and Delta phi, three numbers each. */
 INLINE void
-wants(const Misfit *m, const double *phi, const double *d, int j, double *f)
+fill_adjoint_row(const Misfit *m, const double *phi, const double *d, int j, double *f)
 {
 	Nodes r[MISFIT_PARTS], w[MISFIT_PARTS], e[9];
-	int i, c, count, nu = m->g.nu;
-	size_t p = (size_t)j*nu;
+	size_t length = row_length(m);
 	Local a;
+	Quad q;
+	int c;
 
-	for (i = 1; i < nu - 1; i += count) {
-		count = nu - 1 - i < NODES ? nu - 1 - i : NODES;
-		local(m, phi, p + i, count, &a);
+	for (q = quad_row(m->g, stencil_reach(m->g, 0), j); q.count > 0; quad_next(&q)) {
+		local(m, phi, &q, &a);
 		if (d)
-			change(m, &a, d, p + i, count, r);
+			change(&a, d, &q, r);
 		else
-			residuals(m, &a, p + i, count, r);
-		weights(m, p + i, count, w);
+			residuals(m, &a, &q, r);
+		weights(m, &q, w);
 		for (c = 0; c < MISFIT_PARTS; c++)
 			r[c] *= w[c];
-		spread(&a, r, e);
+		change_adjoint(&a, r, e);
 		for (c = 0; c < 9; c++)
-			memcpy(f + (size_t)c*nu + i, &e[c], count*sizeof *f);
+			memcpy(f + c*length + 1 + q.i, &e[c], q.count*sizeof *f);
 	}
 }
 
 TARGET("avx2") static void
-wants_256(const Misfit *m, const double *phi, const double *d, int j, double *f)
+fill_adjoint_row_256(const Misfit *m, const double *phi, const double *d, int j, double *f)
 {
-	wants(m, phi, d, j, f);
+	fill_adjoint_row(m, phi, d, j, f);
 }
 
 static void
-spread_row(const Misfit *m, const double *phi, const double *d, int j, double *f)
+adjoint_row(const Misfit *m, const double *phi, const double *d, int j, double *f)
 {
-	int c, nu = m->g.nu;
+	Range columns = stencil_reach(m->g, 0), rows = stencil_reach(m->g, 1);
+	size_t length = row_length(m);
+	int c, i;
 
-	if (j <= 0 || j >= m->g.nv - 1) {
-		memset(f, 0, 9*(size_t)nu*sizeof *f);
+	if (j < rows.from || j >= rows.to) {
+		memset(f, 0, 9*length*sizeof *f);
 		return;
 	}
-	for (c = 0; c < 9; c++)
-		f[(size_t)c*nu] = f[(size_t)(c + 1)*nu - 1] = 0;
+	for (c = 0; c < 9; c++) {
+		for (i = -1; i < columns.from; i++)
+			f[c*length + 1 + i] = 0;
+		for (i = columns.to; i <= m->g.nu; i++)
+			f[c*length + 1 + i] = 0;
+	}
 	if (HAS("avx2"))
-		wants_256(m, phi, d, j, f);
+		fill_adjoint_row_256(m, phi, d, j, f);
 	else
-		wants(m, phi, d, j, f);
+		fill_adjoint_row(m, phi, d, j, f);
 }
 
-/* The transposes of the differences: row j of g from what rows j-1, j, j+1 want. */
+/* Row j of g: the transposed differences of the adjoint rows j-1, j, j+1. */
 static void
-gather_row(const Misfit *m, double *const f[3], int j, double *g)
+result_row(const Misfit *m, double *const f[3], int j, double *g)
 {
-	Chart chart = m->g;
-	double h = chart.nu - 1, k = (chart.nv - 1)/chart.T;
-	int c, i, nu = chart.nu;
+	Range r = unknowns(m, 0);
+	size_t length = row_length(m);
+	int c, i, k, nu = m->g.nu;
 
-	for (c = 0; c < 3; c++, g += (size_t)nu*chart.nv) {
-		const double *u = f[1] + c*nu, *below = f[0] + (3+c)*nu, *above = f[2] + (3+c)*nu;
-		const double *L = f[1] + (6+c)*nu, *L0 = f[0] + (6+c)*nu, *L2 = f[2] + (6+c)*nu;
+	for (c = 0; c < 3; c++, g += (size_t)nu*m->g.nv) {
+		const double *v[3], *L[3];
 		double *out = g + (size_t)j*nu;
 
-		for (i = 1; i < nu - 1; i++)
-			out[i] = (u[i-1] - u[i+1])*(h/2) + (below[i] - above[i])*(k/2)
-			    + (L[i+1] - 2*L[i] + L[i-1])*(h*h) + (L2[i] - 2*L[i] + L0[i])*(k*k);
-		out[0] = m->free ? L[1]*(h*h) - u[1]*(h/2) : 0;
-		out[nu-1] = m->free ? L[nu-2]*(h*h) + u[nu-2]*(h/2) : 0;
+		for (k = 0; k < 3; k++) {
+			v[k] = f[k] + (3+c)*length + 1;
+			L[k] = f[k] + (6+c)*length + 1;
+		}
+		for (i = 0; i < r.from; i++)
+			out[i] = 0;
+		stencil_transposed(m->g, r, f[1] + c*length + 1, v, L, out);
+		for (i = r.to; i < nu; i++)
+			out[i] = 0;
 	}
 }
 
 static void
-strip(const Misfit *m, const double *phi, const double *d, int from, int to, double *work, double *g)
+result_rows(const Misfit *m, const double *phi, const double *d, int from, int to, double *work, double *g)
 {
-	size_t rows = 9*(size_t)m->g.nu;
+	size_t rows = 9*row_length(m);
 	double *f[3] = { work, work + rows, work + 2*rows }, *free;
 	int j;
 
-	spread_row(m, phi, d, from - 1, f[0]);
-	spread_row(m, phi, d, from, f[1]);
+	if (from >= to)
+		return;
+	adjoint_row(m, phi, d, from - 1, f[0]);
+	adjoint_row(m, phi, d, from, f[1]);
 	for (j = from; j < to; j++) {
-		spread_row(m, phi, d, j + 1, f[2]);
-		gather_row(m, f, j, g);
+		adjoint_row(m, phi, d, j + 1, f[2]);
+		result_row(m, f, j, g);
 		free = f[0], f[0] = f[1], f[1] = f[2], f[2] = free;
 	}
 }
 
 static void
+zero_rows(const Misfit *m, int from, int to, double *g)
+{
+	size_t n = (size_t)m->g.nu*m->g.nv, row = m->g.nu;
+	int c;
+
+	for (c = 0; c < 3 && from < to; c++)
+		memset(g + c*n + from*row, 0, (to - from)*row*sizeof *g);
+}
+
+static void
 apply(const Misfit *m, const double *phi, const double *d, double *g)
 {
-	int strips = misfit_strips(m->g), inner = m->g.nv - 2, s;
-	size_t n = (size_t)m->g.nu*m->g.nv, row = m->g.nu*sizeof *g;
+	Range rows = stencil_inner(m->g, 1);
+	int strips = misfit_strips(m->g), inner = rows.to - rows.from, s;
 
 #pragma omp parallel for schedule(static)
 	for (s = 0; s < strips; s++)
-		strip(m, phi, d, 1 + inner*s/strips, 1 + inner*(s + 1)/strips,
-		    m->work + (size_t)s*27*m->g.nu, g);
+		result_rows(m, phi, d, rows.from + inner*s/strips, rows.from + inner*(s + 1)/strips,
+		    m->work + s*27*row_length(m), g);
 	if (m->free) {
-		strip(m, phi, d, 0, 1, m->work, g);
-		strip(m, phi, d, m->g.nv - 1, m->g.nv, m->work, g);
+		result_rows(m, phi, d, 0, rows.from, m->work, g);
+		result_rows(m, phi, d, rows.to, m->g.nv, m->work, g);
 		misfit_border_apply(m, phi, d, g);
-	}
-	for (s = 0; s < 3 && !m->free; s++) {
-		memset(g + s*n, 0, row);
-		memset(g + (s + 1)*n - m->g.nu, 0, row);
+	} else {
+		zero_rows(m, 0, rows.from, g);
+		zero_rows(m, rows.to, m->g.nv, g);
 	}
 }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "../grid/border.h"
+#include "../grid/stencil.h"
 #include "misfitborder.h"
 #include "../base/vec3.h"
 
@@ -11,45 +12,28 @@
  * differences are off by more.  At 0.3 and 1 kinks of the outermost cells hold the steps up. */
 static const double SHARE = 0.1;
 
-/* f' = sum w f[at], in one direction. */
-typedef struct Stencil {
-	ptrdiff_t at[3];
-	double    w[3];
-} Stencil;
-
 typedef struct Metric {
 	double r[3], w[3];      /* scale, the two of shape; by what their squares are multiplied */
 } Metric;
 
-static Stencil
-stencil(int i, int n, ptrdiff_t stride, double step)
-{
-	double w = 0.5/step;
-
-	if (i == 0)
-		return (Stencil){ { 0, stride, 2*stride }, { -3*w, 4*w, -w } };
-	if (i == n - 1)
-		return (Stencil){ { 0, -stride, -2*stride }, { 3*w, -4*w, w } };
-	return (Stencil){ { -stride, 0, stride }, { -w, 0, w } };
-}
-
+/* phi_u and phi_v at node (i,j). */
 static void
-stencils(Chart g, size_t p, Stencil *u, Stencil *v)
+slopes_at(Chart g, int i, int j, Stencil *u, Stencil *v)
 {
-	*u = stencil((int)(p%g.nu), g.nu, 1, chart_h(g));
-	*v = stencil((int)(p/g.nu), g.nv, g.nu, chart_k(g));
-}
+	int k;
 
-static double
-slope(const Stencil *s, const double *f)
-{
-	return s->w[0]*f[s->at[0]] + s->w[1]*f[s->at[1]] + s->w[2]*f[s->at[2]];
+	*u = stencil_at(g, 0, 1, i, j);
+	*v = stencil_at(g, 1, 1, i, j);
+	for (k = 0; k < 3; k++) {
+		u->w[k] *= 0.5/chart_h(g);
+		v->w[k] *= 0.5/chart_k(g);
+	}
 }
 
 static double
 log_slope(const Stencil *s, const double *f)
 {
-	return s->w[0]*log(f[s->at[0]]) + s->w[1]*log(f[s->at[1]]) + s->w[2]*log(f[s->at[2]]);
+	return s->w[0]*log(f[s->node[0]]) + s->w[1]*log(f[s->node[1]]) + s->w[2]*log(f[s->node[2]]);
 }
 
 static void
@@ -58,22 +42,26 @@ slopes(const Stencil *s, const double *f, size_t n, double x[3])
 	int c;
 
 	for (c = 0; c < 3; c++)
-		x[c] = slope(s, f + c*n);
+		x[c] = stencil_sum(s, f + c*n);
 }
 
+/* Steps along the edge of the grid, from node to node. */
 static int
-border_count(Chart g)
+edge_length(Chart g)
 {
 	return 2*(g.nu - 1) + 2*(g.nv - 1);
 }
 
-static size_t
-node(Chart g, int k)
+/* Node k of the edge with its differences.  Returns whether it lies on an open side. */
+static int
+border_slopes(Chart g, int k, size_t *p, Stencil *u, Stencil *v)
 {
 	int i, j;
 
 	border_node(g.nu, g.nv, k, &i, &j);
-	return (size_t)j*g.nu + i;
+	*p = (size_t)j*g.nu + i;
+	slopes_at(g, i, j, u, v);
+	return !stencil_is_inner(g, i, j);
 }
 
 void
@@ -84,11 +72,11 @@ misfit_border_weights(Misfit *m)
 	size_t p;
 	int q;
 
-	for (q = 0; q < border_count(m->g); q++) {
-		p = node(m->g, q);
-		stencils(m->g, p, &u, &v);
-		x = log_slope(&u, m->lambda2 + p)/2;
-		y = log_slope(&v, m->lambda2 + p)/2;
+	for (q = 0; q < edge_length(m->g); q++) {
+		if (!border_slopes(m->g, q, &p, &u, &v))
+			continue;
+		x = log_slope(&u, m->lambda2)/2;
+		y = log_slope(&v, m->lambda2)/2;
 		m->o[p] = misfit_weight(m, p, x*x + y*y);
 	}
 }
@@ -114,11 +102,11 @@ misfit_border_energy(const Misfit *m, const double *phi, size_t *worst, double *
 	Metric a;
 	int q;
 
-	for (*most = -1, *worst = 0, q = 0; q < border_count(m->g); q++) {
-		p = node(m->g, q);
-		stencils(m->g, p, &su, &sv);
-		slopes(&su, phi + p, n, u);
-		slopes(&sv, phi + p, n, v);
+	for (*most = -1, *worst = 0, q = 0; q < edge_length(m->g); q++) {
+		if (!border_slopes(m->g, q, &p, &su, &sv))
+			continue;
+		slopes(&su, phi, n, u);
+		slopes(&sv, phi, n, v);
 		metric(m, p, u, v, &a);
 		e = a.w[0]*a.r[0]*a.r[0] + a.w[1]*(a.r[1]*a.r[1] + a.r[2]*a.r[2]);
 		sum += e;
@@ -137,7 +125,7 @@ scatter(const Stencil *s, const double x[3], size_t n, double *g)
 
 	for (c = 0; c < 3; c++)
 		for (k = 0; k < 3; k++)
-			g[c*n + s->at[k]] += s->w[k]*x[c];
+			g[c*n + s->node[k]] += s->w[k]*x[c];
 }
 
 void
@@ -149,15 +137,15 @@ misfit_border_apply(const Misfit *m, const double *phi, const double *d, double 
 	Metric a;
 	int q, c;
 
-	for (q = 0; q < border_count(m->g); q++) {
-		p = node(m->g, q);
-		stencils(m->g, p, &su, &sv);
-		slopes(&su, phi + p, n, u);
-		slopes(&sv, phi + p, n, v);
+	for (q = 0; q < edge_length(m->g); q++) {
+		if (!border_slopes(m->g, q, &p, &su, &sv))
+			continue;
+		slopes(&su, phi, n, u);
+		slopes(&sv, phi, n, v);
 		metric(m, p, u, v, &a);
 		if (d) {
-			slopes(&su, d + p, n, du);
-			slopes(&sv, d + p, n, dv);
+			slopes(&su, d, n, du);
+			slopes(&sv, d, n, dv);
 			a.r[0] = dot3(u, du) + dot3(v, dv);
 			a.r[1] = dot3(u, du) - dot3(v, dv);
 			a.r[2] = dot3(u, dv) + dot3(v, du);
@@ -168,7 +156,7 @@ misfit_border_apply(const Misfit *m, const double *phi, const double *d, double 
 			to_u[c] = (a.r[0] + a.r[1])*u[c] + a.r[2]*v[c];
 			to_v[c] = (a.r[0] - a.r[1])*v[c] + a.r[2]*u[c];
 		}
-		scatter(&su, to_u, n, g + p);
-		scatter(&sv, to_v, n, g + p);
+		scatter(&su, to_u, n, g);
+		scatter(&sv, to_v, n, g);
 	}
 }

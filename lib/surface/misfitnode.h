@@ -6,15 +6,12 @@
 #define MISFITNODE_H
 
 #include <math.h>
-#include <string.h>
 
-#include "../base/cpu.h"
+#include "../grid/stencil.h"
 #include "misfit.h"
 
 enum { MISFIT_PARTS = 6 };      /* residuals of a node: normal, along phi_u and phi_v, scale,
                                  * the two of shape */
-enum { NODES = 4 };
-typedef double Nodes __attribute__((vector_size(NODES*sizeof(double))));
 
 #define DOT(a, b) ((a)[0]*(b)[0] + (a)[1]*(b)[1] + (a)[2]*(b)[2])
 
@@ -22,7 +19,9 @@ typedef double Nodes __attribute__((vector_size(NODES*sizeof(double))));
 static inline int
 misfit_strips(Chart g)
 {
-	return (g.nv - 2 + 31)/32;
+	Range rows = stencil_inner(g, 1);
+
+	return (rows.to - rows.from + 31)/32;
 }
 
 /* What the differences of the surface are at a node. */
@@ -40,50 +39,15 @@ cross_nodes(const Nodes a[3], const Nodes b[3], Nodes c[3])
 	c[2] = a[0]*b[1] - a[1]*b[0];
 }
 
-/* f[0], f[1], .. of count <= NODES nodes; more where there are fewer are the first again. */
 INLINE void
-load(const double *f, int count, Nodes *x)
-{
-	double few[NODES];
-	int k;
-
-	if (count < NODES) {
-		for (k = 0; k < NODES; k++)
-			few[k] = f[k < count ? k : 0];
-		f = few;
-	}
-	memcpy(x, f, sizeof *x);
-}
-
-INLINE void
-differences(Chart g, const double *f, size_t p, int count, Nodes u[3], Nodes v[3], Nodes L[3])
-{
-	size_t n = (size_t)g.nu*g.nv, up = g.nu;
-	double h = g.nu - 1, k = (g.nv - 1)/g.T;        /* their inverses */
-	Nodes here, east, west, north, south;
-	int c;
-
-	for (c = 0; c < 3; c++, f += n) {
-		load(f + p, count, &here);
-		load(f + p + 1, count, &east);
-		load(f + p - 1, count, &west);
-		load(f + p + up, count, &north);
-		load(f + p - up, count, &south);
-		u[c] = (east - west)*(h/2);
-		v[c] = (north - south)*(k/2);
-		L[c] = (east - 2*here + west)*(h*h) + (north - 2*here + south)*(k*k);
-	}
-}
-
-INLINE void
-local(const Misfit *m, const double *phi, size_t p, int count, Local *a)
+local(const Misfit *m, const double *phi, const Quad *q, Local *a)
 {
 	Nodes l2;
 	int c;
 
-	differences(m->g, phi, p, count, a->u, a->v, a->L);
+	quad_differences(q, phi, a->u, a->v, a->L);
 	cross_nodes(a->u, a->v, a->n);
-	load(m->lambda2 + p, count, &l2);
+	quad_load(q, m->lambda2, &l2);
 	a->area = DOT(a->n, a->n) + m->blur*l2*l2;
 	for (c = 0; c < NODES; c++)
 		a->area[c] = sqrt(a->area[c]) + 1e-300;
@@ -93,12 +57,12 @@ local(const Misfit *m, const double *phi, size_t p, int count, Local *a)
 
 /* By which the squares of the residuals are multiplied. */
 INLINE void
-weights(const Misfit *m, size_t p, int count, Nodes w[MISFIT_PARTS])
+weights(const Misfit *m, const Quad *q, Nodes w[MISFIT_PARTS])
 {
 	Nodes o, l2, metric;
 
-	load(m->o + p, count, &o);
-	load(m->lambda2 + p, count, &l2);
+	quad_load(q, m->o, &o);
+	quad_load(q, m->lambda2, &l2);
 	metric = m->scale/l2*o;
 	w[0] = m->scale*o*o;
 	w[1] = w[2] = m->alpha*m->alpha*metric*o;
@@ -107,13 +71,13 @@ weights(const Misfit *m, size_t p, int count, Nodes w[MISFIT_PARTS])
 }
 
 INLINE void
-residuals(const Misfit *m, const Local *a, size_t p, int count, Nodes r[MISFIT_PARTS])
+residuals(const Misfit *m, const Local *a, const Quad *q, Nodes r[MISFIT_PARTS])
 {
 	Nodes E = DOT(a->u, a->u), F = DOT(a->u, a->v), G = DOT(a->v, a->v), l2, l2H2, e;
 	int i;
 
-	load(m->lambda2 + p, count, &l2);
-	load(m->l2H2 + p, count, &l2H2);
+	quad_load(q, m->lambda2, &l2);
+	quad_load(q, m->l2H2, &l2H2);
 	r[0] = DOT(a->L, a->n) - l2H2;
 	r[1] = DOT(a->L, a->u);
 	r[2] = DOT(a->L, a->v);
@@ -121,21 +85,21 @@ residuals(const Misfit *m, const Local *a, size_t p, int count, Nodes r[MISFIT_P
 	r[4] = (E - G)/2;
 	r[5] = F;
 	for (i = 0; m->residue && i < 2; i++) {
-		load(m->residue->tau[i] + p, count, &e);
+		quad_load_odd(q, m->residue->tau[i], &e);
 		r[1+i] -= e*l2;
-		load(m->residue->nu[i] + p, count, &e);
+		quad_load(q, m->residue->nu[i], &e);
 		r[4+i] -= e*l2;
 	}
 }
 
 /* dr for a displacement d.  With c = phi_u x phi_v:  dn = (dc - <dc, n> n)/|c|. */
 INLINE void
-change(const Misfit *m, const Local *a, const double *d, size_t p, int count, Nodes r[MISFIT_PARTS])
+change(const Local *a, const double *d, const Quad *q, Nodes r[MISFIT_PARTS])
 {
 	Nodes du[3], dv[3], dL[3], x[3], y[3], across[3], along = DOT(a->L, a->n);
 	int c;
 
-	differences(m->g, d, p, count, du, dv, dL);
+	quad_differences(q, d, du, dv, dL);
 	cross_nodes(du, a->v, x);
 	cross_nodes(a->u, dv, y);
 	for (c = 0; c < 3; c++) {
@@ -150,9 +114,9 @@ change(const Misfit *m, const Local *a, const double *d, size_t p, int count, No
 	r[5] = DOT(a->v, du) + DOT(a->u, dv);
 }
 
-/* The adjoint of change: what <r, dr> says of du, dv and dL, three numbers each. */
+/* The adjoint of change: the gradient of <r, dr> with respect to du, dv and dL, three numbers each. */
 INLINE void
-spread(const Local *a, const Nodes r[MISFIT_PARTS], Nodes f[9])
+change_adjoint(const Local *a, const Nodes r[MISFIT_PARTS], Nodes f[9])
 {
 	Nodes uu = r[3] + r[4], vv = r[3] - r[4];
 	Nodes x[3], y[3], across[3], along = DOT(a->L, a->n), normal = r[0]/a->area;

@@ -1,0 +1,55 @@
+/* charts.h - charts with joined sides, which no program makes yet. */
+#ifndef CHARTS_H
+#define CHARTS_H
+
+#include "../lib/base/chart.h"
+
+static inline int
+wrap(int i, int n)
+{
+	return (i%n + n)%n;
+}
+
+/* Periodic in v, open in u. */
+static int
+tube_beyond(Chart g, int *i, int *j)
+{
+	(void)i;
+	*j = wrap(*j, g.nv);
+	return 1;
+}
+
+/* A closed surface: periodic in v, and (-u,-v) is (u,v). */
+static int
+pillow_beyond(Chart g, int *i, int *j)
+{
+	int out = *i < 0 || *i >= g.nu;
+
+	if (out) {
+		*i = *i < 0 ? -1 - *i : 2*g.nu - 1 - *i;
+		*j = g.nv - 1 - *j;
+	}
+	*j = wrap(*j, g.nv);
+	return out ? -1 : 1;
+}
+
+/* One boundary, at v = T: periodic in u, and (u,-v) is (1-u,v). */
+static int
+sock_beyond(Chart g, int *i, int *j)
+{
+	int out = *j < 0;
+
+	if (out) {
+		*j = -1 - *j;
+		*i = g.nu - 1 - *i;
+	}
+	*i = wrap(*i, g.nu);
+	return out ? -1 : 1;
+}
+
+static const ChartKind TUBE = { { { 0, 0 }, { 1, 1 } }, tube_beyond };
+static const ChartKind PILLOW = { { { 1, 1 }, { 1, 1 } }, pillow_beyond };
+static const ChartKind SOCK = { { { 1, 1 }, { 1, 0 } }, sock_beyond };
+static const ChartKind *const KINDS[4] = { &CHART_RECTANGLE, &TUBE, &PILLOW, &SOCK };
+
+#endif
