@@ -5,7 +5,7 @@
 #include "charts.h"
 #include "surfaces.h"
 
-enum { NU = 14, NV = 11, N = NU*NV };
+enum { NU = 16, NV = 11, N = NU*NV };
 
 static double phi[3][N];
 static const double *const cphi[3] = { phi[0], phi[1], phi[2] };
