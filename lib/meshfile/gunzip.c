@@ -12,15 +12,15 @@ typedef struct Out {
 	size_t n, cap, max;
 } Out;
 
-/* deflate cannot reach 1100:1, so more is no honest file. */
+/* deflate reaches less than 1100:1, so a larger result means a damaged file. */
 static size_t
-outmax(size_t n, size_t most)
+largest_output(size_t n, size_t most)
 {
 	return n > most / 1100 || 1100*n + 4096 > most ? most : 1100*n + 4096;
 }
 
 static int
-more(Out *o, char *err)
+grow(Out *o, char *err)
 {
 	size_t cap = o->cap < o->max / 2 ? 2*o->cap : o->max;
 	char *p;
@@ -35,9 +35,9 @@ more(Out *o, char *err)
 	return 0;
 }
 
-/* Go on until a member ends (1), input runs out (0) or an error. */
+/* Inflates until a member ends (returns 1), the input or the room is used up (0), or an error. */
 static int
-step(z_stream *z, const char **in, const char *end, Out *o, char *err)
+inflate_some(z_stream *z, const char **in, const char *end, Out *o, char *err)
 {
 	const size_t left = (size_t)(end - *in), room = o->cap - o->n;
 	int e;
@@ -62,14 +62,14 @@ step(z_stream *z, const char **in, const char *end, Out *o, char *err)
 }
 
 static int
-members(z_stream *z, const char *in, const char *end, Out *o, char *err)
+inflate_members(z_stream *z, const char *in, const char *end, Out *o, char *err)
 {
 	int e;
 
 	for (;;) {
-		if (o->n == o->cap && (e = more(o, err)) != 0)
+		if (o->n == o->cap && (e = grow(o, err)) != 0)
 			return e;
-		if ((e = step(z, &in, end, o, err)) < 0)
+		if ((e = inflate_some(z, &in, end, o, err)) < 0)
 			return e;
 		if (e == 0)
 			continue;
@@ -85,7 +85,7 @@ members(z_stream *z, const char *in, const char *end, Out *o, char *err)
 int
 gunzip(const char *in, size_t n, size_t most, char **out, size_t *nout, char err[MESH_ERRLEN])
 {
-	Out o = { NULL, 0, 0, outmax(n, most) };
+	Out o = { NULL, 0, 0, largest_output(n, most) };
 	z_stream z;
 	int e;
 
@@ -98,7 +98,7 @@ gunzip(const char *in, size_t n, size_t most, char **out, size_t *nout, char err
 		free(o.p);
 		return mesh_fail(err, MESH_ENOMEM, "no memory to unpack gzip data");
 	}
-	e = members(&z, in, in + n, &o, err);
+	e = inflate_members(&z, in, in + n, &o, err);
 	inflateEnd(&z);
 	if (e) {
 		free(o.p);

@@ -6,7 +6,7 @@
 #include "meshpriv.h"
 #include "writepriv.h"
 
-/* What people will try that we do not read, by its first bytes. */
+/* Other formats that people may try, by their first bytes. */
 static const struct {
 	const char *magic;
 	size_t n;
@@ -41,7 +41,7 @@ contains(const MeshStart *m, const char *word)
 }
 
 static const char *
-otherkind(const MeshStart *m)
+other_format(const MeshStart *m)
 {
 	size_t i;
 
@@ -60,9 +60,9 @@ is_gzip(const char *p, size_t n)
 	return n >= 2 && memcmp(p, "\x1f\x8b", 2) == 0;
 }
 
-/* What is known of a file before it is read: n bytes at p of at least `least`, at most `most`. */
+/* The beginning of a file: n bytes at p, the file has at least `least` and at most `most` bytes. */
 static MeshStart
-start(const char *p, size_t n, size_t least, size_t most)
+beginning_of(const char *p, size_t n, size_t least, size_t most)
 {
 	MeshStart m = { .p = p, .n = n, .least = least, .most = most };
 	Reader ahead = { .hash = 1 };
@@ -90,7 +90,7 @@ choose(const MeshStart *m, char *err)
 			best = f;
 			most = how;
 		}
-	if (most < MESHSTART_SURE && (kind = otherkind(m)) != NULL) {
+	if (most < MESHSTART_SURE && (kind = other_format(m)) != NULL) {
 		mesh_fail(err, MESH_EFORMAT, "this is %s, not %s", kind, meshformat_names(0, "or", list));
 		return NULL;
 	}
@@ -99,7 +99,7 @@ choose(const MeshStart *m, char *err)
 	return best;
 }
 
-/* A first word that fills this much belongs to no format. */
+/* A first word of more characters belongs to no format. */
 enum { LONGEST_WORD = 100 };
 
 int
@@ -108,7 +108,7 @@ meshfile_promising(const void *head, size_t n, size_t most, char err[MESH_ERRLEN
 	char out[4096];
 	const int packed = is_gzip(head, n);
 	const size_t k = packed ? gunzip_head(head, n, out, sizeof out) : n;
-	const MeshStart m = start(packed ? out : head, k, k, most);
+	const MeshStart m = beginning_of(packed ? out : head, k, k, most);
 	const int open = m.word.s + m.word.n == m.p + m.n && m.word.n < LONGEST_WORD;
 
 	if (m.word.n == 0 || open)
@@ -116,9 +116,9 @@ meshfile_promising(const void *head, size_t n, size_t most, char err[MESH_ERRLEN
 	return choose(&m, err) ? 0 : MESH_EFORMAT;
 }
 
-/* Check the corners.  `first` is allocated even if there are no faces. */
+/* Checks that every corner is a vertex.  `first` is allocated even if there are no faces. */
 static int
-finish(Reader *r)
+check_corners(Reader *r)
 {
 	Soup *s = r->s;
 	int e, f, i;
@@ -134,9 +134,9 @@ finish(Reader *r)
 }
 
 static int
-plain(Soup *s, const char *p, size_t n, int wantuv)
+parse_unpacked(Soup *s, const char *p, size_t n, int wantuv)
 {
-	const MeshStart m = start(p, n, n, n);
+	const MeshStart m = beginning_of(p, n, n, n);
 	Reader r = { .p = m.p, .end = m.p + m.n, .line = 1, .s = s, .wantuv = wantuv };
 	const MeshFormat *format;
 	char list[MESHFORMAT_LIST];
@@ -151,7 +151,7 @@ plain(Soup *s, const char *p, size_t n, int wantuv)
 		return mesh_fail(s->err, MESH_EFORMAT, "only %s carry (u,v)",
 		    meshformat_names(MESHFORMAT_UV, "and", list));
 	if ((e = soup_reserve(&r, 0, 0, 0)) == 0 && (e = format->read(&r)) == 0)
-		e = finish(&r);
+		e = check_corners(&r);
 	if (!e && wantuv)
 		e = uv_check(&r);
 	if (e)
@@ -168,10 +168,10 @@ parse(Soup *s, const void *bytes, size_t n, size_t most, int wantuv)
 
 	memset(s, 0, sizeof *s);
 	if (!is_gzip(p, n))
-		return plain(s, p, n, wantuv);
+		return parse_unpacked(s, p, n, wantuv);
 	if ((e = gunzip(p, n, most, &out, &n, s->err)) != 0)
 		return e;
-	e = plain(s, out, n, wantuv);
+	e = parse_unpacked(s, out, n, wantuv);
 	free(out);
 	return e;
 }

@@ -47,7 +47,7 @@ meshformat_of(const char *file)
 	return NULL;
 }
 
-/* "A, B or C": field(i) is A, or NULL for a row that is not in the list. */
+/* "A, B or C" of the rows that can do all of can: their names, or with ends their file name ends. */
 static char *
 list(unsigned can, const char *comma, const char *word, int ends, char buf[MESHFORMAT_LIST])
 {

@@ -24,7 +24,7 @@ enum {
 typedef struct MeshFormat {
 	const char *name;       /* "OFF" */
 	const char *ends;       /* of file names, with a blank between several: ".off" */
-	unsigned    can;        /* of the above */
+	unsigned    can;        /* the sum of those above that it does */
 	int       (*recognise)(const struct MeshStart *);       /* meshpriv.h */
 	int       (*read)(struct Reader *);                     /* meshpriv.h */
 	int       (*write)(struct Text *, const Soup *);        /* writepriv.h */

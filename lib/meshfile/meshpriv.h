@@ -1,20 +1,21 @@
-/* meshpriv.h - what the parts of the mesh reader share.  Private to lib/. */
+/* meshpriv.h - shared by the mesh readers: scanning text, growing a soup, the formats.  Private to
+ * lib/. */
 #ifndef MESHPRIV_H
 #define MESHPRIV_H
 
 #include "../mesh/fail.h"
 #include "../mesh/mesh.h"
 
-/* Reading position in a file and the soup that comes of it.  The counts s->nv and
- * s->nf are always those of whole records, so they number the one being read. */
+/* The reading position in a file and the soup under construction.  s->nv and s->nf count complete
+ * records, so they are the number of the record being read. */
 typedef struct Reader {
-	const char *p, *end;    /* what is left */
+	const char *p, *end;    /* the bytes left */
 	long   line;            /* of p, from 1 */
 	int    hash;            /* # begins a comment */
 	int    wantuv;          /* read MESH_UV and s->T */
 	double *uv;             /* the values of MESH_UV, once uv_start made it */
 	Soup  *s;
-	size_t ni;              /* corners, those of the open face included */
+	size_t ni;              /* corners, including those of the unfinished face */
 	size_t capv, capf, capi;
 } Reader;
 
@@ -25,7 +26,7 @@ typedef struct Token {
 
 enum { SCAN_SHOW = 40 };
 
-/* The next word, on any line or on this one only.  Returns 1, or 0 when there is none. */
+/* The next word: on any line, or on this line only.  Returns 1, or 0 if there is none. */
 int scan_token(Reader *r, Token *t);
 int scan_word(Reader *r, Token *t);
 void scan_skipline(Reader *r);
@@ -33,57 +34,59 @@ void scan_skipline(Reader *r);
 /* Is t that word, in any case? */
 int scan_is(Token t, const char *word);
 
-/* The value of t.  Returns 1, or 0 if t is no decimal number; nan, inf and what exceeds
- * a double are numbers here.  scan_int: 0 also when it exceeds a long long.
+/* The value of t.  Returns 1, or 0 if t is no decimal number; nan, inf and numbers beyond a double
+ * are accepted here.  scan_int: 0 also if it exceeds a long long.
  *
- * strtod obeys LC_NUMERIC, and no lhgrid program calls setlocale: they stay in the C
- * locale.  In another one a point would be refused, never misread. */
+ * strtod depends on LC_NUMERIC; no program calls setlocale, so it stays the C locale.  In another
+ * locale a decimal point would be refused, never misread. */
 int scan_number(Token t, double *x);
 int scan_int(Token t, long long *i);
 
-/* t, short and printable, for a message; returns buf. */
+/* t shortened and printable, for a message; returns buf. */
 char *scan_show(Token t, char buf[SCAN_SHOW]);
 
 size_t scan_left(const Reader *r);
 
-/* Append to the soup; a face is the corners since the one before.  Each returns 0 or a
- * MESH_E code with the reason in r->s->err.  soup_corner takes a number from 0. */
+/* Append to the soup; a face consists of the corners since the face before.  Each returns 0 or a
+ * MESH_E code with the reason in r->s->err.  soup_corner: vertices are counted from 0. */
 int soup_reserve(Reader *r, size_t nv, size_t nf, size_t ni);
 int soup_vertex(Reader *r, const double x[3]);
 int soup_corner(Reader *r, long long i);
 int soup_face(Reader *r);
 
-/* Give back the room for faces and corners that was reserved and not used. */
+/* Free the reserved room for faces and corners that was not used. */
 void soup_trim(Reader *r);
 
-/* Refuse a promise of more records than the bytes left could hold: 0 or MESH_EFORMAT.
- * room is how many those could be.  soup_cut: the file ends in this record. */
+/* Check the count of records in a header against the bytes left, which have room for `room` records: 0
+ * or MESH_EFORMAT.  soup_cut: MESH_EFORMAT, the file ends in this record. */
 int soup_promise(Reader *r, const char *what, long long count, size_t room);
 int soup_cut(Reader *r, const char *what, long long i, long long count);
 
-/* What follows the # or the word comment: "lhgrid T 0.91" sets s->T, all else is left.
- * Returns 0 or MESH_EVALUE. */
+/* The text of a comment: "lhgrid T 0.91" sets s->T, any other is ignored.  Returns 0 or
+ * MESH_EVALUE. */
 int uv_modulus(Reader *r);
 
-/* Give all s->nv or nv vertices, whichever is more, (-1,-1).  0 or MESH_ENOMEM. */
+/* Make the channel MESH_UV for nv vertices, or s->nv if that is more, all (-1,-1).  0 or
+ * MESH_ENOMEM. */
 int uv_start(Reader *r, size_t nv);
 
-/* Is every (u,v) finite?  0 or MESH_EVALUE. */
+/* Check that every (u,v) is finite.  0 or MESH_EVALUE. */
 int uv_check(const Reader *r);
 
-/* What is known of a file before it is read: its first n bytes, its first word without the
- * comments before it, and bounds on its size, both n when all of it is here. */
+/* The beginning of a file, to recognise its format: its first n bytes, its first word after comments,
+ * and bounds on its size, both n if all of it is here. */
 typedef struct MeshStart {
 	const char *p;
 	size_t n, least, most;
 	Token  word;
 } MeshStart;
 
-/* How likely a file is of a format.  The likeliest is taken, of equally likely ones the first
- * of the table. */
+/* How likely a file is of a format.  The likeliest format is chosen; of equal ones, the first in the
+ * table. */
 enum { MESHSTART_NO, MESHSTART_MAYBE, MESHSTART_LIKELY, MESHSTART_SURE };
 
-/* For each format: one of these; and all of the file, behind a byte order mark, into r->s. */
+/* For each format: x_recognise returns one of these; x_read reads the file into r->s.  Both begin
+ * after a byte order mark. */
 int off_recognise(const MeshStart *m);
 int off_read(Reader *r);
 int obj_recognise(const MeshStart *m);
@@ -101,7 +104,7 @@ int gunzip(const char *in, size_t n, size_t most, char **out, size_t *nout, char
  * 0 also if the data are damaged or memory is short. */
 size_t gunzip_head(const char *in, size_t n, char *out, size_t room);
 
-/* An unsigned number of n bytes. */
+/* An unsigned integer, or a float or double, of n bytes; big: most significant byte first. */
 unsigned long long scan_bytes(const char *p, int n, int big);
 double scan_float(const char *p, int n, int big);
 

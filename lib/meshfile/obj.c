@@ -1,4 +1,4 @@
-/* obj.c - Wavefront OBJ: v and f lines, and vt lines where (u,v) are wanted. */
+/* obj.c - Wavefront OBJ: v and f lines, and vt lines if (u,v) is to be read. */
 #include <limits.h>
 #include <math.h>
 #include <stdint.h>
@@ -7,7 +7,7 @@
 
 #include "meshpriv.h"
 
-/* vt[k] is (u,v) number k, of[c] the one that corner c names, or -1. */
+/* vt[k] is (u,v) number k; of[c] is the number that corner c names, or -1. */
 typedef struct Obj {
 	Reader *r;
 	double (*vt)[2];
@@ -41,7 +41,7 @@ word(Reader *r, Token *t)
 	return 0;
 }
 
-/* x y z, then perhaps w or a colour. */
+/* x y z, optionally followed by w or a colour. */
 static int
 vertex(Reader *r)
 {
@@ -58,7 +58,7 @@ vertex(Reader *r)
 	return soup_vertex(r, x);
 }
 
-/* Room for thing n of an array that grows by doubling; returns it, or NULL, the old one kept. */
+/* Grows the array a, by doubling, to have room for item n; returns it, or NULL, and a is kept. */
 static void *
 room(Obj *o, void *a, size_t *cap, size_t n, size_t size)
 {
@@ -74,7 +74,7 @@ room(Obj *o, void *a, size_t *cap, size_t n, size_t size)
 	return b;
 }
 
-/* vt u v, then perhaps w. */
+/* vt u v, optionally followed by w. */
 static int
 texture(Obj *o)
 {
@@ -99,10 +99,10 @@ texture(Obj *o)
 	return 0;
 }
 
-/* Number a, from 1 or back from -1, of things of which there are n so far, made to count
- * from 0.  A positive one may be of a thing to come. */
+/* An index a of OBJ, from 1 on or back from -1, of things of which there are n so far, as a number from
+ * 0 in *i.  A positive index may refer to a thing further down. */
 static int
-number(Reader *r, Token a, int n, const char *things, long long *i)
+index_from_0(Reader *r, Token a, int n, const char *things, long long *i)
 {
 	if (!scan_int(a, i))
 		return bad(r, "a corner", a);
@@ -116,7 +116,7 @@ number(Reader *r, Token a, int n, const char *things, long long *i)
 	return 0;
 }
 
-/* Remember for the next corner the b of a/b or a/b/c, from its slash to the end. */
+/* Stores the b of a/b or a/b/c for the next corner; slash is the first one, or NULL. */
 static int
 cornertexture(Obj *o, const char *slash, const char *end)
 {
@@ -128,7 +128,7 @@ cornertexture(Obj *o, const char *slash, const char *end)
 	if (slash)
 		for (b.s = slash + 1; b.s + b.n < end && b.s[b.n] != '/'; b.n++)
 			continue;
-	if (b.n > 0 && (e = number(o->r, b, o->nt, "vt lines", &k)) != 0)
+	if (b.n > 0 && (e = index_from_0(o->r, b, o->nt, "vt lines", &k)) != 0)
 		return e;
 	if (!(a = room(o, o->of, &o->capo, o->r->ni, sizeof *o->of)))
 		return MESH_ENOMEM;
@@ -153,7 +153,7 @@ corner(Obj *o, Token t)
 			return bad(r, "a corner", t);
 	if (n == 0)
 		return bad(r, "a corner", t);
-	if ((e = number(r, (Token){ t.s, n }, r->s->nv, "vertices", &i)) != 0)
+	if ((e = index_from_0(r, (Token){ t.s, n }, r->s->nv, "vertices", &i)) != 0)
 		return e;
 	if (r->wantuv && (e = cornertexture(o, slash, t.s + t.n)) != 0)
 		return e;
@@ -172,9 +172,9 @@ face(Obj *o)
 	return soup_face(o->r);
 }
 
-/* The (u,v) of vertex v, from corner c of face f: the same from every corner. */
+/* Sets the (u,v) of vertex v from corner c of face f; all corners must agree. */
 static int
-settle(Obj *o, int f, int c, int v)
+assign_uv(Obj *o, int f, int c, int v)
 {
 	Soup *s = o->r->s;
 	double *uv = o->r->uv + 2*(size_t)v;
@@ -193,7 +193,7 @@ settle(Obj *o, int f, int c, int v)
 }
 
 static int
-settleall(Obj *o)
+assign_all(Obj *o)
 {
 	Soup *s = o->r->s;
 	int c, e, f;
@@ -202,7 +202,7 @@ settleall(Obj *o)
 		return e;
 	for (f = 0; f < s->nf; f++)
 		for (c = s->first[f]; c < s->first[f+1]; c++)
-			if (s->idx[c] < s->nv && (e = settle(o, f, c, s->idx[c])) != 0)
+			if (s->idx[c] < s->nv && (e = assign_uv(o, f, c, s->idx[c])) != 0)
 				return e;
 	return 0;
 }
@@ -229,7 +229,7 @@ statements(Obj *o)
 			return e;
 		scan_skipline(r);
 	}
-	return r->wantuv ? settleall(o) : 0;
+	return r->wantuv ? assign_all(o) : 0;
 }
 
 int

@@ -1,12 +1,12 @@
-/* off.c - Object File Format, ASCII and BINARY (geomview). */
+/* off.c - the Object File Format of Geomview, ASCII and BINARY. */
 #include <string.h>
 
 #include "meshpriv.h"
 
 typedef struct Off {
 	Reader *r;
-	int  extra;             /* numbers after x y z: promised by the keyword (binary) */
-	int  width;             /* .. or found after vertex 0 (ASCII) */
+	int  extra;             /* numbers after x y z: by the keyword (binary) */
+	int  width;             /* .. or as after vertex 0 (ASCII) */
 	int  big, colours;      /* binary: byte order; a count of colours ends each face */
 	long long nv, nf;
 } Off;
@@ -55,7 +55,7 @@ counts(Off *o)
 	return 0;
 }
 
-/* Numbers left on this line, or a negative code. */
+/* Counts the numbers left on this line; or a negative code. */
 static int
 leftover(Off *o)
 {
@@ -123,10 +123,9 @@ face(Off *o)
 	return soup_face(r);
 }
 
-/* Every record begins on a new line and may go on over any number of lines until it is
- * complete: three coordinates, or a count and that many corners.  What is left on the
- * line where it is complete is skipped: for a vertex any numbers, as many for all
- * (colour, normal, texture), for a face the up to four of a colour.  So a file with
+/* A record begins on a new line and may be broken over several, until it has three coordinates, or
+ * a count and that many corners.  The rest of its last line is skipped: for a vertex any numbers
+ * (colour, normal, texture), equally many for all; for a face up to four, a colour.  So a file with
  * several records in one line is refused, not misread. */
 static int
 ascii(Off *o)
@@ -156,7 +155,7 @@ word4(const Off *o, const char *p)
 	return (long long)scan_bytes(p, 4, o->big);
 }
 
-/* Do faces with colours that begin at p end where the file does? */
+/* Read as faces with colours, do the bytes from p end with the file? */
 static int
 hascolours(const Off *o, const char *p)
 {
@@ -183,20 +182,20 @@ binface(Off *o)
 	n = scan_left(r) >= 4 ? word4(o, r->p) : 0;
 	if (scan_left(r) < 4 || (size_t)n > scan_left(r)/4 - 1)
 		return soup_cut(r, "face", r->s->nf, o->nf);
-	if (n == 0)             /* most likely the count of colours of a file cut short */
+	if (n == 0)             /* probably the count of colours of a truncated file */
 		return mesh_fail(r->s->err, MESH_EFORMAT, "face %d of %lld has no corners",
 		    r->s->nf, o->nf);
 	for (k = 0, r->p += 4; k < n; k++, r->p += 4)
 		if ((e = soup_corner(r, word4(o, r->p))) != 0)
 			return e;
 	if (o->colours)
-		r->p += 4 + 4*word4(o, r->p);           /* hascolours has looked */
+		r->p += 4 + 4*word4(o, r->p);           /* within the file, by hascolours */
 	return soup_face(r);
 }
 
-/* Geomview writes big-endian and a count of colours after each face; pmp-library and
- * others write little-endian and no such count.  The order is the one whose counts the
- * file has room for, the faces are those that end with the file. */
+/* Geomview writes big-endian, with a count of colours after each face; pmp-library and others write
+ * little-endian without it.  The byte order is the one whose counts fit the file; the faces are read
+ * the way that ends with the file. */
 static int
 binary(Off *o)
 {

@@ -3,12 +3,12 @@
 
 #include "plypriv.h"
 
-/* Where we are, for messages and strips. */
+/* The record being read. */
 typedef struct Record {
 	Ply *p;
 	const PlyElem *e;
 	long long i;
-	long long a, b, turn;   /* of a strip: the last two corners, how many since a restart */
+	long long a, b, turn;   /* of a strip: the last two corners, and their count since a restart */
 	double x[PLY_USES];
 } Record;
 
@@ -65,8 +65,8 @@ whole(Record *c, double x, double lo)
 	    scan_show(c->e->name, show), c->i, x);
 }
 
-/* A corner of a strip makes a triangle with the two before; every second one stands the
- * other way round, -1 begins anew, and triangles without area only turn the strip. */
+/* The next corner of a strip, which makes a triangle with the two before it.  Every second triangle has
+ * the opposite orientation; -1 restarts; triangles with a vertex twice only reverse the orientation. */
 static int
 strip(Record *c, long long k)
 {
@@ -141,7 +141,7 @@ record(Record *c)
 	return c->e->kind == PLY_FACE ? soup_face(c->p->r) : 0;
 }
 
-/* Room for all that the element can make of the bytes left. */
+/* Reserves room for all records that the bytes left can hold. */
 static int
 reserve(Ply *p, const PlyElem *e)
 {
@@ -187,13 +187,13 @@ ply_read(Reader *r)
 	for (i = 0; i < p.ne; i++) {
 		c.e = &p.elem[i];
 		if (c.e->p0 == c.e->p1 && c.e->kind == PLY_OTHER)
-			continue;               /* records of nothing */
+			continue;               /* records without properties have no bytes */
 		if ((e = reserve(&p, c.e)) != 0)
 			return e;
 		for (c.i = 0; c.i < c.e->n; c.i++)
 			if ((e = record(&c)) != 0)
 				return e;
-		if (c.e->kind == PLY_STRIP)     /* reserved were 16 bytes for each byte left */
+		if (c.e->kind == PLY_STRIP)     /* 16 bytes were reserved for each byte left */
 			soup_trim(r);
 	}
 	if (p.format == PLY_ASCII)

@@ -74,7 +74,7 @@ element(Ply *p)
 	return 0;
 }
 
-/* The use of a vertex property when (u,v) are wanted. */
+/* The use of a vertex property if (u,v) is to be read. */
 static int
 uvuse(Token name)
 {
@@ -132,7 +132,7 @@ property(Ply *p)
 	return 0;
 }
 
-/* The first pair of which the vertices have both, into p->uv. */
+/* Sets p->uv to the first pair of properties that the vertices have. */
 static int
 findpair(Ply *p, const PlyElem *vertex)
 {
@@ -150,7 +150,7 @@ findpair(Ply *p, const PlyElem *vertex)
 	    "vertices lack (u,v): properties s t, u v or texture_u texture_v");
 }
 
-/* Each element that makes the mesh is there once at most, and has what it needs. */
+/* Checks that the elements of the mesh occur once at most and have the properties they need. */
 static int
 complete(Ply *p)
 {
@@ -227,7 +227,7 @@ ply_header(Ply *p)
 	}
 	if (p->format < 0)
 		return mesh_fail(r->s->err, MESH_EFORMAT, "header has no format line");
-	/* One line end, of the kind the first line has: data may begin with a \n. */
+	/* One line end, of the same kind as that of the first line: data may begin with a \n. */
 	scan_skipline(r);
 	if (r->p < r->end && *r->p == '\r')
 		r->p++;

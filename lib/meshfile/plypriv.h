@@ -23,14 +23,14 @@ typedef struct PlyProp {
 typedef struct PlyElem {
 	Token name;
 	int kind;
-	long long n;            /* records promised */
+	long long n;            /* records, by the header */
 	int p0, p1;             /* properties p0 .. p1-1 */
 } PlyElem;
 
 typedef struct Ply {
 	Reader *r;
 	int format, ne, np;
-	int uv;                 /* the pair that is taken, or 0 */
+	int uv;                 /* the pair that is read, or 0 */
 	PlyElem elem[PLY_MAXELEM];
 	PlyProp prop[PLY_MAXPROP];
 } Ply;
@@ -38,8 +38,8 @@ typedef struct Ply {
 /* Read up to the first byte of the data.  Returns 0 or MESH_EFORMAT. */
 int ply_header(Ply *p);
 
-/* The least a record of e takes; in ASCII two for each value, though the last value of a
- * file may lack its blank. */
+/* The least bytes of a record of e; in ASCII two for each value, though the last value of a file may
+ * lack its blank. */
 size_t ply_least(const Ply *p, const PlyElem *e);
 
 #endif

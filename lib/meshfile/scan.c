@@ -108,7 +108,7 @@ viastrtod(Token t, double *x)
 	return end == buf + t.n;
 }
 
-/* Digits at *p into *w, at most 18 of them; returns how many, or -1 beyond that. */
+/* Appends the digits at *p to *w, which has `had` so far; returns their count, or -1 beyond 18. */
 static int
 digits(const char **p, const char *end, uint64_t *w, int had)
 {
@@ -122,8 +122,8 @@ digits(const char **p, const char *end, uint64_t *w, int had)
 	return n;
 }
 
-/* A mantissa below 2^53 and a power of ten up to 10^22 are exact doubles, so one
- * product or quotient of them is rounded once, as strtod would.  All else goes there. */
+/* A mantissa up to 2^53 and a power of ten up to 10^22 are exact doubles, so their quotient is rounded
+ * once, as by strtod, which reads all other numbers. */
 int
 scan_number(Token t, double *x)
 {
@@ -182,7 +182,7 @@ bytes(const char *p, int n, int big)
 	return w;
 }
 
-/* A load each, for the compiler. */
+/* The compiler makes one load of each common size. */
 unsigned long long
 scan_bytes(const char *p, int n, int big)
 {

@@ -1,4 +1,4 @@
-/* soup.c - growing a polygon soup while its file is read. */
+/* soup.c - builds a polygon soup while its file is read. */
 #include <limits.h>
 #include <math.h>
 #include <stdint.h>
@@ -6,7 +6,7 @@
 
 #include "meshpriv.h"
 
-/* Make room for n things at *a; cap counts the room there is. */
+/* Makes room for n items at *a, which has room for *cap. */
 static int
 grow(Reader *r, void **a, size_t *cap, size_t n, size_t size)
 {
@@ -22,9 +22,9 @@ grow(Reader *r, void **a, size_t *cap, size_t n, size_t size)
 	return 0;
 }
 
-/* One of the arrays: room for n more than have, by exact demand or by doubling. */
+/* Each grows one of the arrays to room for n. */
 static int
-growv(Reader *r, size_t n)
+grow_vertices(Reader *r, size_t n)
 {
 	void *a = r->s->xyz;
 	int e = grow(r, &a, &r->capv, n, 3 * sizeof(double));
@@ -34,7 +34,7 @@ growv(Reader *r, size_t n)
 }
 
 static int
-growf(Reader *r, size_t n)
+grow_faces(Reader *r, size_t n)
 {
 	void *a = r->s->first;
 	int e = grow(r, &a, &r->capf, n, sizeof(int));
@@ -44,7 +44,7 @@ growf(Reader *r, size_t n)
 }
 
 static int
-growi(Reader *r, size_t n)
+grow_corners(Reader *r, size_t n)
 {
 	void *a = r->s->idx;
 	int e = grow(r, &a, &r->capi, n, sizeof(int));
@@ -53,15 +53,15 @@ growi(Reader *r, size_t n)
 	return e;
 }
 
-/* The arrays are never left NULL, also when they hold nothing. */
+/* The arrays are allocated even if they stay empty. */
 int
 soup_reserve(Reader *r, size_t nv, size_t nf, size_t ni)
 {
 	int e;
 
-	if ((e = growv(r, r->s->nv + nv + 1)) != 0 || (e = growf(r, r->s->nf + nf + 1)) != 0)
+	if ((e = grow_vertices(r, r->s->nv + nv + 1)) != 0 || (e = grow_faces(r, r->s->nf + nf + 1)) != 0)
 		return e;
-	if ((e = growi(r, r->ni + ni + 1)) != 0)
+	if ((e = grow_corners(r, r->ni + ni + 1)) != 0)
 		return e;
 	r->s->first[0] = 0;
 	return 0;
@@ -80,7 +80,7 @@ soup_trim(Reader *r)
 }
 
 static int
-full(Reader *r, const char *what)
+too_many(Reader *r, const char *what)
 {
 	return mesh_fail(r->s->err, MESH_EFORMAT, "more than %d %s", INT_MAX - 1, what);
 }
@@ -92,8 +92,8 @@ soup_vertex(Reader *r, const double x[3])
 	int e, c;
 
 	if (n >= INT_MAX - 1)
-		return full(r, "vertices");
-	if (n == r->capv && (e = growv(r, 2*n + 1)) != 0)
+		return too_many(r, "vertices");
+	if (n == r->capv && (e = grow_vertices(r, 2*n + 1)) != 0)
 		return e;
 	for (c = 0; c < 3; c++) {
 		if (!isfinite(x[c]))
@@ -111,11 +111,11 @@ soup_corner(Reader *r, long long i)
 	int e;
 
 	if (r->ni >= INT_MAX - 1)
-		return full(r, "corners");
+		return too_many(r, "corners");
 	if (i < 0 || i > INT_MAX)
 		return mesh_fail(r->s->err, MESH_EINDEX, "face %d names vertex %lld of %d",
 		    r->s->nf, i, r->s->nv);
-	if (r->ni == r->capi && (e = growi(r, 2*r->ni + 1)) != 0)
+	if (r->ni == r->capi && (e = grow_corners(r, 2*r->ni + 1)) != 0)
 		return e;
 	r->s->idx[r->ni++] = (int)i;
 	return 0;
@@ -128,8 +128,8 @@ soup_face(Reader *r)
 	int e;
 
 	if (n >= INT_MAX - 1)
-		return full(r, "faces");
-	if (n == r->capf && (e = growf(r, 2*n)) != 0)
+		return too_many(r, "faces");
+	if (n == r->capf && (e = grow_faces(r, 2*n)) != 0)
 		return e;
 	r->s->first[n] = (int)r->ni;
 	r->s->nf++;
@@ -144,7 +144,7 @@ soup_promise(Reader *r, const char *what, long long count, size_t room)
 	if ((unsigned long long)count > room)
 		return mesh_fail(r->s->err, MESH_EFORMAT,
 		    "header promises %lld %s, file has room for %zu", count, what, room);
-	return count >= INT_MAX - 1 ? full(r, what) : 0;
+	return count >= INT_MAX - 1 ? too_many(r, what) : 0;
 }
 
 int

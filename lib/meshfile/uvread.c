@@ -1,4 +1,4 @@
-/* uvread.c - the (u,v) that a mesh file may carry. */
+/* uvread.c - reading the (u,v) of a mesh file. */
 #include <math.h>
 
 #include "../mesh/channel.h"
