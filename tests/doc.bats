@@ -13,13 +13,13 @@ load helper
 	echo "/* $page.md 6.""99 */" >>lib/surface/misfit.h
 	printf '/* %s.md 6.2,\n * 7.%s */\n' "$page" 98 >>lib/surface/fit.h
 	echo "/* ${d}GN section 2 */" >>lib/base/chart.h
-	echo "/* ../shared/""STYLE.md */" >>cmd/lhfft.c
+	echo "/* ../shared/STY""LE.md */" >>cmd/lhfft.c
 	sed -i 's/(27)//' lib/grid/*.[ch] lib/base/*.[ch]
 	sed -i '/^| (32) |/d' README.md
 	run -1 scripts/citations
 	for what in "cites lib/grid/none.c" "function none of lib/grid/lambdah.c" "links to #none" \
 	    "misfit.h: cites section 6.99" "fit.h: cites section 7.98" "chart.h: cites ${d}GN" \
-	    "lhfft.c: cites ../shared/""STYLE.md" "for equation (27)" "README.md: has no row for equation (32)"; do
+	    "lhfft.c: cites ../shared/STY""LE.md" "for equation (27)" "README.md: has no row for equation (32)"; do
 		grep -qF -- "$what" <<<"$output" || { echo "not found: $what"; false; }
 	done
 }
