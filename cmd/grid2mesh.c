@@ -9,15 +9,15 @@
 
 static const char text[] =
 "usage: grid2mesh [-o FILE] [--on=MESH] [GRID] >mesh.off\n"
-"reads channels x y z; writes a mesh of nu nv vertices, row by row, and two triangles a\n"
-"cell, parted by its shorter diagonal, their normals along x_u cross x_v\n"
+"reads channels x y z; writes a mesh of nu nv vertices, row by row, and two triangles for each\n"
+"cell, split along its shorter diagonal, with normals along x_u cross x_v\n"
 "      --on=MESH      instead write MESH, an {uv formats} with (u,v) as mesh2rect --uv wrote\n"
 "                     it, with the same faces and the same order, each vertex moved to its\n"
 "                     (u,v) on the grid (bicubic; v scaled where the grid has another T); a\n"
-"                     vertex of (u,v) = (-1,-1) stays; {uv formats} has the (u,v) too\n"
+"                     vertex of (u,v) = (-1,-1) stays; output as {uv formats} keeps the (u,v)\n"
 "  -o, --output=FILE  write FILE, by its end {ends} [{stdout} to stdout]; a\n"
 "                     stream of several grids needs a number in FILE, as frame-%03d.off,\n"
-"                     from 1; each file is whole or it is not there\n"
+"                     from 1; each file is complete or not there\n"
 "  -q, --quiet        no notes on stderr\n"
 "  -v, --verbose      more words on stderr\n"
 "  -h, --help         print this text\n"
@@ -28,8 +28,8 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
-/* Splits "frame-%03d.off" into what stands before and after the number and its width;
- * 0 when there is no number in the name. */
+/* Splits "frame-%03d.off" into the parts before and after the number, and its width.  Returns 0 if the
+ * name has no number. */
 static int
 numbered(const char *name, size_t *before, int *width, const char **after)
 {
@@ -61,7 +61,7 @@ file_name(const char *name, int i, char *out, size_t n)
 	return out;
 }
 
-/* One of mesh and grid at most is stdin, and the vertices of the mesh keep their order. */
+/* At most one of mesh and grid is stdin, and the format keeps the order of vertices. */
 static void
 check_on(const char *on, const char *grid, const MeshFormat *format)
 {

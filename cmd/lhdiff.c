@@ -1,4 +1,4 @@
-/* lhdiff - how far two surfaces are apart */
+/* lhdiff - distances between two surfaces, and their self-intersections */
 #include <string.h>
 
 #include "shared/cmd.h"
@@ -12,25 +12,25 @@ static const char text[] =
 "Compares surface B with A, the reference.  Each is a stream of grids with channels x y z,\n"
 "or a mesh file ({formats}); - is stdin.  Prints lines \"name value\":\n"
 "  area_a area_b      areas\n"
-"  max mean           distance between vertices of equal number, left out where the\n"
-"                     numbers of vertices differ\n"
-"  hausdorff          symmetric Hausdorff distance of the surfaces, faces and all, to\n"
-"  hausdorff_error    plus or minus this; not more than this, where the two are equal\n"
+"  max mean           distance between vertices of equal number; left out if the counts\n"
+"                     of vertices differ\n"
+"  hausdorff          symmetric Hausdorff distance of the surfaces, faces included, to\n"
+"  hausdorff_error    plus or minus this; if the two are equal, at most this\n"
 "  max_rel mean_rel hausdorff_rel   the same over the square root of the area of A\n"
 "  self_intersections_a, _b   pairs of faces that meet where they are not joined\n"
 "Streams of several grids, a morph or scales, are compared grid by grid, or all of B with\n"
-"A when A is one surface; they give a table, fields parted by tabs: a line of names, then\n"
-"a line for each pair, which begins with its number from 1 (frame); - is what cannot be\n"
-"said.  No more than one grid of each is held in memory, and what is asked of A alone is\n"
-"found once when it is one surface.\n"
+"A if A is one surface.  They give a table with tabs between fields: a line of names, then\n"
+"a line for each pair, which begins with its number from 1 (frame); - stands for a value\n"
+"that is not defined.  Only one grid of each is held in memory, and the values of A alone\n"
+"are computed once if it is one surface.\n"
 "Options:\n"
-"      --json         one JSON object instead, or one a line in place of a table\n"
+"      --json         one JSON object instead, or one on each line in place of a table\n"
 "      --hausdorff-error=E  hausdorff_error over the square root of the area of A,\n"
-"                     1e-7..1 [1e-3]; the time grows as 1/E where the surfaces are\n"
-"                     nearer to each other than that\n"
+"                     1e-7..1 [1e-3]; the time grows as 1/E if the surfaces are closer\n"
+"                     to each other than that\n"
 "      --no-hausdorff, --no-self-intersections   leave these out\n"
 CMD_USAGE
-"Exit 0 whatever the distance, 1 when a surface cannot be read or has no area.\n";
+"Exit 0 whatever the distance, 1 if a surface cannot be read or has no area.\n";
 
 static const struct option longopt[] = {
 	{ "json",                  no_argument,       NULL, 'j' },
@@ -40,9 +40,9 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
-/* The next surface of s, measured, in place of the one before, or 0. */
+/* Replaces side by the next surface of s with its area and self-intersections.  Returns 0 at the end. */
 static int
-next(const Compare *c, Surfaces *s, Side *side)
+next_side(const Compare *c, Surfaces *s, Side *side)
 {
 	mesh_free(&side->m);
 	if (!surfaces_next(s, &side->m))
@@ -51,7 +51,7 @@ next(const Compare *c, Surfaces *s, Side *side)
 	return 1;
 }
 
-/* As many grids in as as in bs, or die as soon as it is seen that there are not. */
+/* Both streams must have equally many grids; dies as soon as they differ. */
 static void
 check_counts(const Surfaces *as, const Surfaces *bs)
 {
@@ -73,8 +73,8 @@ compare_all(const Compare *c, Surfaces *as, Surfaces *bs, int json)
 	Report r;
 	int one;
 
-	next(c, as, &a);
-	next(c, bs, &b);
+	next_side(c, as, &a);
+	next_side(c, bs, &b);
 	one = !surfaces_more(as);
 	report_begin(&r, json, !one || surfaces_more(bs));
 	do {
@@ -84,7 +84,7 @@ compare_all(const Compare *c, Surfaces *as, Surfaces *bs, int json)
 			note("%d and %d vertices: no max and mean", a.m.nv, b.m.nv);
 		compare(c, &a, &b, value);
 		report_add(&r, c, value);
-	} while (next(c, bs, &b) && (one || next(c, as, &a)));
+	} while (next_side(c, bs, &b) && (one || next_side(c, as, &a)));
 	report_write(&r);
 	mesh_free(&a.m);
 }

@@ -21,41 +21,43 @@ static const char text[] =
 "turned polished, and like with --like\n"
 "  -n, --cells=N|NxM  cells along u, or along u and v, 4..32767 each [256]\n"
 "  -c, --corners=I,J,K,L  boundary vertices, numbered from 0 as in the file, that become\n"
-"                     the corners (0,0) (1,0) (1,T) (0,T): counterclockwise\n"
+"                     the corners (0,0) (1,0) (1,T) (0,T), counterclockwise\n"
 "      --corners='x,y,z;x,y,z;x,y,z;x,y,z'  the boundary vertices nearest to these points\n"
-"      --corners=FILE four numbers, or four points one a line, from FILE\n"
+"      --corners=FILE four numbers, or four points, one on each line, from FILE\n"
 "      --corners=auto four clear corners of the boundary if it has them, else four\n"
 "                     vertices at equal arc length from its lowest vertex number [auto]\n"
 "      --like=GRID    corners that correspond to those of GRID, which mesh2rect made: the\n"
-"                     vertices where its corners come to lie when the two boundary curves, at\n"
-"                     equal arc length, are rotated and moved as near to each other as can be\n"
-"      --like-reversed  with --like: turn the normal of the mesh, and so the way round its\n"
-"                     boundary, if that comes nearer\n"
-"      --flip         turn the normal of the surface\n"
-"      --tolerance=X  split the facets where the map errs most until its certificate\n"
-"                     sqrt(E(u) E(v/T)) - 1, E the Dirichlet energy, is at most X, 0..1 [1e-3]\n"
-"      --split=N      at last split every facet into four, N times, and take quadratic elements\n"
-"                     on what there was before the last, 0..8 [1]\n"
-"      --max-vertices=N  neither beyond about N vertices, 0..100000000 [300000]\n"
+"                     vertices next to its corners once the two boundary curves, at equal arc\n"
+"                     length, are rotated and moved as close to each other as possible\n"
+"      --like-reversed  with --like: reverse the normal of the mesh, and so the direction of\n"
+"                     its boundary, if the curves are closer then\n"
+"      --flip         reverse the normal of the surface\n"
+"      --tolerance=X  split the facets where the error of the map is largest until its\n"
+"                     certificate sqrt(E(u) E(v/T)) - 1, E the Dirichlet energy, is at most X,\n"
+"                     0..1 [1e-3]\n"
+"      --split=N      finally split every facet into four, N times; the map is then of quadratic\n"
+"                     elements on the mesh before the last of these splits, 0..8 [1]\n"
+"      --max-vertices=N  both stop at about N vertices, 0..100000000 [300000]\n"
 "      --surface=smooth|facets  between the vertices the surface is C1 and cubic\n"
 "                     (Clough-Tocher over the chart) or flat [smooth]\n"
 "      --polish=N     at most N rounds that map the grid by its own metric, each kept only if\n"
 "                     the grid becomes more conformal, 0..100 [12]\n"
-"      --allow-flips  go on when the map turns triangles over\n"
+"      --allow-flips  continue if the map flips triangles\n"
 "      --uv=FILE      write the mesh as it was read, with its (u,v), to FILE {uv ends}:\n"
-"                     for textures, and for grid2mesh --on; vertices of no face get -1,-1\n"
+"                     for textures, and for grid2mesh --on; vertices of no face get -1,-1;\n"
+"                     FILE is neither MESH nor the output\n"
 CMD_USAGE
-"Where the facets are split at last the map is of quadratic elements, and on smooth surfaces\n"
-"and a grid as fine as the mesh H is of the second order of the mesh size (1000 to 64000\n"
-"vertices, orders: torus 2.0 2.0 2.0, catenoid 2.1 2.0 2.0); a mesh too large\n"
-"to be split, more than a quarter of --max-vertices, has linear ones and H of the first\n"
-"order; over facets H does not converge, it sits on the edges.  Under -v: what was\n"
-"reached.\n"
-"The curves of --like are smoothed (Gaussian, about 8 waves round), so that ragged edges count\n"
-"neither as way nor as shape, and scaled to one size; how far they stay apart, root mean\n"
+"With --split of 1 or more the map has quadratic elements.  On smooth surfaces, with a grid as\n"
+"fine as the mesh, the error of H is then of second order in the mesh size (1000 to 64000\n"
+"vertices, orders: torus 2.0 2.0 2.0, catenoid 2.1 2.0 2.0).  A mesh of more than a quarter of\n"
+"--max-vertices is not split: it has linear elements, and the error of H is of first order.\n"
+"With --surface=facets H does not converge: it is concentrated on the edges.  -v reports what\n"
+"was reached.\n"
+"The curves of --like are smoothed (Gaussian, about 8 waves round), so that ragged edges add\n"
+"neither length nor shape, and scaled to one size.  Their distance after the fit, root mean\n"
 "square in units of the root mean square distance from their centre, is the metadatum like:\n"
-"0 for equal boundaries.  Of fits within 25 % of the best the one that turns the mesh least\n"
-"is taken, and this is noted: an outline may fit upside down as well.\n";
+"0 for equal boundaries.  Of fits within 25 % of the best, the one that turns the mesh least\n"
+"is chosen, and this is noted: an outline may fit upside down as well.\n";
 
 enum { FLIP = 256, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, ALLOW, LIKE, REVERSED, UV = CMD_UNRECORDED };
 
@@ -90,8 +92,8 @@ opt_cells(char *s, Chart *g)
 	free(first);
 }
 
-/* Measured: a kilobyte for each vertex that is solved for, and 46 numbers for each node where
- * the grid is polished. */
+/* Dies if memory is too small.  Measured: 1000 bytes for each vertex of the map, and 46 numbers for
+ * each node if the grid is polished. */
 static void
 claim_map(const char *name, const Disk *d, Chart g, const ConformalOptions *o)
 {
@@ -104,7 +106,7 @@ claim_map(const char *name, const Disk *d, Chart g, const ConformalOptions *o)
 	claim(name, "the grid", (double)g.nu*g.nv, 8*(o->polish ? 46 : 6));
 }
 
-/* The corners, and how far the boundary is from that of --like, or -1. */
+/* Chooses the corners; returns the distance of the boundary from that of --like, or -1. */
 static double
 choose_corners(const char *corners, const char *like, int reversed, Disk *d, int corner[4])
 {
@@ -115,15 +117,15 @@ choose_corners(const char *corners, const char *like, int reversed, Disk *d, int
 }
 
 static void
-map(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options, Conformal *c)
+map_disk(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options, Conformal *c)
 {
 	SpdReport report = { 0, 0 };
 
 	cmd_progress("mapping %d vertices", d->m.nv);
 	switch (conformal_grid(d, corner, g, options, c, &report)) {
 	case 0: break;
-	case CONFORMAL_ETURNED: die("the map turns %d triangles over (--allow-flips goes on)", c->turned);
-	case SPD_ENOMEM: die("no memory: the factor of %d vertices wants %.0f bytes", d->m.nv, report.bytes);
+	case CONFORMAL_ETURNED: die("the map flips %d triangles (--allow-flips continues)", c->turned);
+	case SPD_ENOMEM: die("no memory: the factor of %d vertices needs %.0f bytes", d->m.nv, report.bytes);
 	case SPD_ELARGE: die("%d vertices are more than the solver can number", d->m.nv);
 	default: die("the cotangent matrix is not positive definite at row %d: triangles too thin", report.column);
 	}
@@ -146,7 +148,7 @@ describe(Lhg *out, const Disk *d, const int corner[4], double apart, const Confo
 	cmd_meta(out, "solved", "%d", c->vertices);
 	cmd_meta(out, "turned", "%d", c->turned);
 	cmd_meta(out, "polished", "%d", c->polished);
-	detail("T %.6g, certificate %.3g on %d vertices, %d triangles turned over, %d rounds of polish",
+	detail("T %.6g, certificate %.3g on %d vertices, %d triangles flipped, %d rounds of polish",
 	    out->T, c->certificate, c->vertices, c->turned, c->polished);
 }
 
@@ -207,7 +209,7 @@ main(int argc, char *argv[])
 	apart = choose_corners(corners, like, reversed, &d, corner);
 
 	claim_map(cmd_name_of(argv[optind]), &d, g, &options);
-	map(&d, corner, g, &options, &c);
+	map_disk(&d, corner, g, &options, &c);
 
 	lhg_init(&out, g.nu, g.nv, c.grid.g.T);
 	add_positions(&out, &c.grid);

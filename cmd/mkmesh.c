@@ -13,8 +13,8 @@ static const char head[] =
 "phi_x x phi_y, which points out of closed surfaces.  Vertices 0 1 2 3 are the corners\n"
 "of the domain, counterclockwise: of a rectangle from its lower left one, of a disk or\n"
 "oval the points at -135, -45, 45 and 135 degrees.\n"
-"  -n, --vertices=N   about so many vertices, 8..10000000 [5000]\n"
-"      --seed=S       another seed, other vertices inside, 0..2147483647 [1]\n"
+"  -n, --vertices=N   about N vertices, 8..10000000 [5000]\n"
+"      --seed=S       random seed of the vertices inside, 0..2147483647 [1]\n"
 "      --list         print the names of the kinds\n"
 CMD_USAGE
 "T is the modulus of a domain with its corners, lambda = |phi_x| = |phi_y|, H the mean\n"
@@ -40,7 +40,7 @@ main(int argc, char *argv[])
 	Synth s;
 	Mesh m;
 
-	cmd_begin("mkmesh", head);              /* its name, for the words of kinds_manual */
+	cmd_begin("mkmesh", head);              /* its name, for messages of kinds_manual */
 	cmd_begin("mkmesh", usage = kinds_manual(formats_usage(head, headed, sizeof headed)));
 	while ((opt = cmd_getopt(argc, argv, "n:", longopt)) != -1)
 		switch (opt) {

@@ -193,7 +193,7 @@ tunables() {
 
 @test "mkmesh: kinds are listed, parameters go by name" {
 	[ "$(mkmesh --list | grep -cx -e cap -e torus -e moebius)" = 3 ]
-	try 2 'R: want NAME=VALUE'              /dev/null mkmesh -n 60 cap R
+	try 2 'R: need NAME=VALUE'              /dev/null mkmesh -n 60 cap R
 	try 2 'legs: a cap has no such param'   /dev/null mkmesh -n 60 cap legs=4
 	try 2 'x.txt: need an end of .off'      /dev/null mkmesh -n 60 cap -o "$tmp/x.txt"
 	[ ! -e "$tmp/x.txt" ]

@@ -26,7 +26,7 @@ gridfile_on(const char *path, Soup *s)
 }
 
 static void
-own(const CmdInput *in, const Lhg *g, const double *const phi[3], const MeshFormat *format, char **bytes, size_t *n)
+mesh_of_grid(const CmdInput *in, const Lhg *g, const double *const phi[3], const MeshFormat *format, char **bytes, size_t *n)
 {
 	Mesh m;
 	int e = mesh_from_grid(&m, g->nu, g->nv, phi[0], phi[1], phi[2]);
@@ -41,7 +41,7 @@ own(const CmdInput *in, const Lhg *g, const double *const phi[3], const MeshForm
 }
 
 static void
-moved(const Lhg *g, const double *const phi[3], const Soup *on, const char *name, const MeshFormat *format,
+moved_mesh(const Lhg *g, const double *const phi[3], const Soup *on, const char *name, const MeshFormat *format,
 	char **bytes, size_t *n)
 {
 	const Chart chart = chart_of(g);
@@ -76,7 +76,7 @@ gridfile_format(const CmdInput *in, const Lhg *g, const Soup *on, const char *on
 	phi[1] = cmd_need(in, g, "y", LHG_GRID);
 	phi[2] = cmd_need(in, g, "z", LHG_GRID);
 	if (on)
-		moved(g, phi, on, onname, format, bytes, n);
+		moved_mesh(g, phi, on, onname, format, bytes, n);
 	else
-		own(in, g, phi, format, bytes, n);
+		mesh_of_grid(in, g, phi, format, bytes, n);
 }

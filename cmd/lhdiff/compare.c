@@ -1,4 +1,4 @@
-/* compare.c - the numbers of lhdiff. */
+/* compare.c - the values that lhdiff computes. */
 #include <float.h>
 #include <math.h>
 
@@ -6,7 +6,7 @@
 #include "../shared/cmd.h"
 #include "compare.h"
 
-/* Squares and products of such areas and lengths stay finite. */
+/* The area, or dies unless squares and products of areas and lengths stay finite. */
 static double
 area(const char *place, const Mesh *m)
 {

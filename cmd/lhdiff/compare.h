@@ -1,4 +1,4 @@
-/* compare.h - the numbers of lhdiff; its usage text says what they are. */
+/* compare.h - the values that lhdiff computes, as in its usage text. */
 #ifndef CMD_COMPARE_H
 #define CMD_COMPARE_H
 
@@ -14,19 +14,19 @@ enum {
 
 typedef struct Compare {
 	double error;           /* over the square root of the area of a */
-	int    far, cross;      /* whether to find the Hausdorff distance, self-intersections */
+	int    far, cross;      /* compute the Hausdorff distance, self-intersections? */
 } Compare;
 
-/* One of the two surfaces, and what is known of it alone. */
+/* One of the two surfaces, and the values that depend on it alone. */
 typedef struct Side {
 	Mesh   m;
-	double area, crossings;         /* -1 crossings: not asked for */
+	double area, crossings;         /* -1 crossings: not computed */
 } Side;
 
-/* Measure side s, called place in messages, or die. */
+/* Compute area and crossings of side s, or die; place names it in messages. */
 void compare_side(const Compare *c, const char *place, Side *s);
 
-/* Compare b with a, or die; -1 is the value of what was not asked for or cannot be said. */
+/* Compare b with a, or die; the value is -1 if it was not requested or is not defined. */
 void compare(const Compare *c, const Side *a, const Side *b, double value[COMPARE_N]);
 
 #endif

@@ -44,7 +44,7 @@ object(const Report *r, const double value[COMPARE_N])
 }
 
 static int
-asked(const Compare *c, int i)
+requested(const Compare *c, int i)
 {
 	if (i == COMPARE_CROSS_A || i == COMPARE_CROSS_B)
 		return c->cross;
@@ -59,15 +59,15 @@ row(const Report *r, const Compare *c, const double value[COMPARE_N])
 	if (r->count == 1) {
 		fputs("frame", r->text.f);
 		for (i = 0; i < COMPARE_N; i++)
-			if (asked(c, i))
+			if (requested(c, i))
 				fprintf(r->text.f, "\t%s", name[i]);
 		fputc('\n', r->text.f);
 	}
 	fprintf(r->text.f, "%ld", r->count);
 	for (i = 0; i < COMPARE_N; i++)
-		if (asked(c, i) && value[i] >= 0)
+		if (requested(c, i) && value[i] >= 0)
 			fprintf(r->text.f, "\t%.9g", value[i]);
-		else if (asked(c, i))
+		else if (requested(c, i))
 			fputs("\t-", r->text.f);
 	fputc('\n', r->text.f);
 }

@@ -5,21 +5,21 @@
 #include "../shared/cmd.h"
 #include "compare.h"
 
-/* Of one pair of surfaces: lines "name value", or one JSON object.  Of many: a table, or a
- * JSON object a line, that begin with the number of the pair. */
+/* For one pair of surfaces: lines "name value", or one JSON object.  For many: a table, or a JSON
+ * object on each line, whose rows begin with the number of the pair. */
 typedef struct Report {
 	int     json, many;
-	long    count;          /* pairs told */
+	long    count;          /* pairs added */
 	CmdText text;
 } Report;
 
 void report_begin(Report *r, int json, int many);
 
-/* Tell of one pair.  What cannot be said, -1, is left out; in a table it is a column of
- * no value, -, or, when c did not ask for it, none. */
+/* Add one pair.  A value of -1 is left out; a table has - for it, or no such column if c did not
+ * request it. */
 void report_add(Report *r, const Compare *c, const double value[COMPARE_N]);
 
-/* All that was told to -o or stdout. */
+/* Write all pairs to -o or stdout. */
 void report_write(Report *r);
 
 #endif

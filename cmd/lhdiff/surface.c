@@ -1,4 +1,4 @@
-/* surface.c - surfaces from streams of grids or from a mesh file, whichever it is. */
+/* surface.c - the surfaces of an operand: a stream of grids or a mesh file. */
 #include "../../lib/grid/gridmesh.h"
 #include "../shared/load.h"
 #include "../shared/range.h"

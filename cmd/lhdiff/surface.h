@@ -1,29 +1,29 @@
-/* surface.h - surfaces from streams of grids or from a mesh file, whichever it is. */
+/* surface.h - the surfaces of an operand: a stream of grids or a mesh file. */
 #ifndef CMD_SURFACE_H
 #define CMD_SURFACE_H
 
 #include "../../lib/mesh/mesh.h"
 #include "../shared/cmd.h"
 
-/* The surfaces of one operand.  A mesh file has one, a stream as many as grids. */
+/* The surfaces of one operand: one of a mesh file, or one for each grid of a stream. */
 typedef struct Surfaces {
 	CmdInput in;            /* of grids */
 	char    *bytes;         /* of a mesh file that has not been read yet, else NULL */
 	size_t   n;
 	int      grids;         /* it is a stream */
-	long     count;         /* surfaces that came */
-	char     place[300];    /* of the last, for messages: the name, and its number if there are
+	long     count;         /* surfaces so far */
+	char     place[300];    /* name of the last in messages, with its number if there are
 	                         * several */
 } Surfaces;
 
-/* path ("-": stdin) is taken for what its first bytes say. */
+/* Open path ("-": stdin); its first bytes decide whether it is a stream of grids. */
 void surfaces_open(Surfaces *s, const char *path);
 
-/* The next surface and 1, or 0 at the end; dies of a mesh that is no disk, and of grids
- * without channels x y z. */
+/* The next surface and 1, or 0 at the end; dies if a mesh is no disk or a grid has no channels
+ * x y z. */
 int  surfaces_next(Surfaces *s, Mesh *m);
 
-/* Whether another will come, after one came. */
+/* Does another surface follow?  To be asked after the first. */
 int  surfaces_more(const Surfaces *s);
 
 #endif

@@ -16,10 +16,10 @@ typedef struct Given {
 	double x[13];
 } Given;
 
-/* Skip what parts two numbers: blanks with one comma at most, or the end of a point, a
- * semicolon or line ends.  Returns 2 for the end of a point, else 1, or 0 for a mistake. */
+/* Skips what separates two numbers: blanks with at most one comma, or, at the end of a point, a
+ * semicolon or line ends.  Returns 2 at the end of a point, else 1, or 0 for an error. */
 static int
-separator(const char **s)
+skip_separator(const char **s)
 {
 	size_t n = strspn(*s, marks), i;
 	int comma = 0, semicolon = 0, line = 0;
@@ -33,11 +33,12 @@ separator(const char **s)
 	return comma + semicolon > 1 ? 0 : semicolon || line ? 2 : 1;
 }
 
-/* Numbers and nothing else, as many as there must be; points end where points end. */
+/* Reads numbers and nothing else: four, or twelve with a point ending after every third.  Returns 0 for
+ * anything else. */
 static int
 parse(const char *s, Given *g)
 {
-	int part = 1, points = 1;
+	int sep = 1, points = 1;
 	char *end;
 
 	s += strspn(s, " \t\r\n");
@@ -45,14 +46,14 @@ parse(const char *s, Given *g)
 		if (g->n == 13 || strspn(s, digits) == 0)
 			return 0;
 		if (g->n > 0)
-			points &= (part == 2) == (g->n%3 == 0);
+			points &= (sep == 2) == (g->n%3 == 0);
 		g->x[g->n] = strtod(s, &end);
 		if (end == s || (size_t)(end - s) != strspn(s, digits) || !isfinite(g->x[g->n]))
 			return 0;
 		s = end;
 		if (s[strspn(s, " \t\r\n")] == '\0')
 			s += strlen(s);
-		else if (strspn(s, marks) == 0 || !(part = separator(&s)) || !*s)
+		else if (strspn(s, marks) == 0 || !(sep = skip_separator(&s)) || !*s)
 			return 0;
 	}
 	return g->n == 4 || (g->n == 12 && points);
@@ -84,7 +85,7 @@ vertex(const Disk *d, double x)
 }
 
 static void
-given(const Given *g, const Disk *d, int corner[4])
+set_corners(const Given *g, const Disk *d, int corner[4])
 {
 	int v[4], at, k, e;
 
@@ -116,5 +117,5 @@ opt_corners(const char *arg, const Disk *d, int corner[4])
 			misuse("--corners=%s: need four vertex numbers or four points x,y,z;..", arg);
 		read_file(arg, &g);
 	}
-	given(&g, d, corner);
+	set_corners(&g, d, corner);
 }

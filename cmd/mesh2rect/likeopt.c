@@ -11,7 +11,7 @@
 #include "likeopt.h"
 
 enum { POINTS = 2048 };                 /* of an outline */
-static const double CLEAR = 1.25;       /* how much worse another fit must be not to count */
+static const double CLEAR = 1.25;       /* a fit worse than the best by this factor is clearly worse */
 
 typedef struct Fit {
 	int    shift;
@@ -28,7 +28,7 @@ outline(const char *name, int n, const double *x, Outline *o)
 	}
 }
 
-/* The outline of the grid's boundary, and the places of its corners. */
+/* The outline of the grid's boundary, and the places of its corners on it. */
 static void
 read_like(const char *path, Outline *o, double corner[4])
 {
@@ -77,7 +77,7 @@ fit(const Outline *a, const Outline *b)
 	return f;
 }
 
-/* Turns d, and b and f with it, if that comes nearer. */
+/* Reverses d, and replaces its outline b and the fit f, if the outlines are closer then. */
 static void
 try_reversed(const char *name, const Outline *a, Disk *d, Outline *b, Fit *f)
 {
@@ -87,7 +87,7 @@ try_reversed(const char *name, const Outline *a, Disk *d, Outline *b, Fit *f)
 	disk_flip(d);
 	loop_outline(d, &turned);
 	g = fit(a, &turned);
-	detail("%s: boundaries %.3g apart, %.3g with the normal turned", name, f->rms, g.rms);
+	detail("%s: boundaries %.3g apart, %.3g with the normal reversed", name, f->rms, g.rms);
 	if (g.rms < f->rms) {
 		outline_free(b);
 		*b = turned;
@@ -99,12 +99,12 @@ try_reversed(const char *name, const Outline *a, Disk *d, Outline *b, Fit *f)
 }
 
 static void
-say(const char *name, const Fit *f)
+report_fit(const char *name, const Fit *f)
 {
 	detail("%s: boundaries %.3g of their size apart, %.3g in the next best fit", name, f->rms, f->next);
 	if (f->next <= CLEAR*f->rms)
 		note("%s: the boundaries fit as well otherwise (%.3g of their size apart, and %.3g): the fit "
-		    "that turns the mesh less is taken", name, f->rms, f->next);
+		    "that turns the mesh less is chosen", name, f->rms, f->next);
 }
 
 double
@@ -126,7 +126,7 @@ opt_like(const char *path, int reversed, Disk *d, int corner[4])
 	case CORNERS_ENOMEM: die("no memory for the boundary");
 	case CORNERS_EFEW: die("a boundary of three vertices has no four corners");
 	}
-	say(cmd_name_of(path), &f);
+	report_fit(cmd_name_of(path), &f);
 	outline_free(&a);
 	outline_free(&b);
 	return f.rms;

@@ -6,10 +6,10 @@
 
 /* Corners of d, as places in its loop, that correspond to those of the grid in path, or die.
  *
- * reversed  whether the normal of d may be turned, so that its boundary goes the other way
- *           round, which it is when they are nearer so
+ * reversed  the normal of d, and so the direction of its boundary, may be reversed; it is if the
+ *           outlines are closer then
  *
- * Returns how far the outlines of the two boundaries are apart (curvematch.h, outline.h). */
+ * Returns the distance of the outlines of the two boundaries (curvematch.h, outline.h). */
 double opt_like(const char *path, int reversed, Disk *d, int corner[4]);
 
 #endif

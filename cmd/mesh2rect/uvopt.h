@@ -9,8 +9,8 @@
 void opt_uv(const char *file, const char *mesh);
 
 /* Write s, the file's own vertices and polygons, with the (u,v) of the vertices of d, the
- * disk made from it, to FILE, or die.  To be called before cmd_write: one output is open at
- * a time, and who reads the grid from a pipe may then count on FILE. */
+ * disk made from it, to FILE, or die.  Call it before cmd_write: one output is open at a time,
+ * and a program that reads the grid from a pipe finds FILE complete. */
 void uv_write(const char *file, Soup *s, const Disk *d, const double *u, const double *v, double T);
 
 #endif

@@ -1,4 +1,4 @@
-/* kinds.c - the kinds of synthetic surfaces as a person sees them. */
+/* kinds.c - the kinds of synthetic surfaces in usage text and operands. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -50,7 +50,7 @@ kinds_set(Synth *s, char *arg)
 	double value;
 
 	if (!equals)
-		misuse("%s: want NAME=VALUE", arg);
+		misuse("%s: need NAME=VALUE", arg);
 	*equals = '\0';
 	for (q = s->kind->par; q->name && strcmp(q->name, arg); q++)
 		;

@@ -1,4 +1,4 @@
-/* load.c - mesh files for the commands that read them. */
+/* load.c - reading mesh files. */
 #include <stdlib.h>
 
 #include "../../lib/mesh/disk.h"

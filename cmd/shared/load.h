@@ -1,4 +1,4 @@
-/* load.h - mesh files for the commands that read them. */
+/* load.h - reading mesh files. */
 #ifndef CMD_LOAD_H
 #define CMD_LOAD_H
 
@@ -8,13 +8,13 @@
  * the reason. */
 void load_soup(const char *path, int uv, Soup *s);
 
-/* The same of n bytes that are read already, which are freed. */
+/* The same from n bytes that were read already; frees them. */
 void load_bytes(const char *name, char *bytes, size_t n, int uv, Soup *s);
 
 /* The disk made from s, or die; what was repaired is noted. */
 void load_disk(const char *name, const Soup *s, Disk *d);
 
-/* Die if no mesh begins with these bytes: a CmdLook. */
+/* Die if no mesh can begin with these bytes.  A CmdLook. */
 void load_look(const char *name, const char *head, size_t n);
 
 #endif
