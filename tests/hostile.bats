@@ -1,4 +1,4 @@
-# Hostile numbers: a right result or one true line, and no hang.
+# Hostile input: a correct result or one line with the reason, and no hang.
 
 load helper
 
@@ -132,7 +132,7 @@ for c in 'xyz': g[c][:] *= $s"
 	done
 }
 
-@test "grids that are no surface, fields that are of none" {
+@test "grids that are no surface, lambda and H of no surface" {
 	# SOURCE; what is done to it; what the line says; the command
 	while IFS=';' read -r source code line command; do
 		[ -n "$source" ] || continue
@@ -177,7 +177,7 @@ for c in 'xyz': g[c][:] *= $s"
 	END
 }
 
-@test "a right result from odd but honest numbers" {
+@test "a correct result from unusual but valid numbers" {
 	# without a start the surface is the same; denormals are numbers; -0 is 0
 	hostile "$tmp/lh" "$tmp/odd" "
 g['H'][3, 3] = 5e-324
@@ -196,7 +196,7 @@ for c in 'xyz': del g.channels['start.' + c]"
 	told 'too large for STL' "$tmp/big" grid2mesh -o "$tmp/x.stl"
 }
 
-# endless COMMAND...: of an endless input, "yes" at stdin, a quick refusal in one line.
+# endless COMMAND...: an endless input, yes at stdin, is refused in one line and soon.
 endless() {
 	local code=0
 	yes "${words:-y}" | timeout 10 "$@" >"$tmp/out" 2>"$tmp/err" || code=${PIPESTATUS[1]}

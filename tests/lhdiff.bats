@@ -37,7 +37,7 @@ column() {
 	[ "$(column "$tmp/table" hausdorff | sort -g | xargs)" = "$(column "$tmp/table" hausdorff | xargs)" ]
 }
 
-@test "each line of a table is what the frame alone gives" {
+@test "each line of a table has the values of the frame alone" {
 	lhdiff "$tmp/torus" "$tmp/moved" >"$tmp/table"
 	grid2mesh -o "$tmp/f%d.off" "$tmp/moved"
 	for i in 1 4; do
@@ -58,7 +58,7 @@ column() {
 	column "$tmp/a" area_b | sed -n 2p | cmp - "$tmp/area"
 }
 
-@test "--json: an object a line; columns that were not asked for are not there" {
+@test "--json: an object on each line; values that were not requested are left out" {
 	lhdiff --json --no-hausdorff "$tmp/cap" "$tmp/moved" >"$tmp/lines"
 	/usr/bin/python3 - "$tmp/lines" <<-'END'
 		import json, sys
@@ -71,13 +71,13 @@ column() {
 	[ "$(lhdiff --json "$tmp/cap" "$tmp/cap" | grep -c frame)" = 0 ]
 }
 
-@test "other numbers of vertices: no max and mean, said once" {
+@test "different numbers of vertices: no max and mean, noted once" {
 	try 0 '169 and 289 vertices: no max and mean' /dev/null lhdiff --no-hausdorff "$tmp/small" "$tmp/moved"
 	[ "$(column "$tmp/out" max | xargs)" = "- - - -" ]
 	[ "$(column "$tmp/out" area_b | grep -c '^[0-9]')" = 4 ]
 }
 
-@test "other numbers of frames, and what is wrong in a later frame, are refused" {
+@test "different numbers of frames, and errors in a later frame, are refused" {
 	cat "$tmp/cap" "$tmp/cap" "$tmp/cap" >"$tmp/three"
 	cat "$tmp/three" "$tmp/cap" "$tmp/cap" >"$tmp/five"
 	lhinterp -n 3 <(grid2lh "$tmp/cap") <(grid2lh "$tmp/cap") | lh2grid -o "$tmp/set"

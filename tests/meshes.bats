@@ -1,4 +1,4 @@
-# Real meshes: what must be refused and why, what must go through.
+# Real meshes: refused with the reason, repaired, or accepted.
 
 load helper
 
@@ -21,7 +21,7 @@ setup() {
 	try 1 'face 3131 names vertex [0-9]+ of 1656'    /dev/null mesh2rect "$b/zero_area_bad_index.off"
 }
 
-@test "meshes that can be mended are, with a note" {
+@test "meshes that can be repaired are, with a note" {
 	b=$meshes/bad
 	try 0 ''                                         /dev/null mesh2rect -n 16 "$b/quads_wrapped_lines.off"
 	try 0 '3542 unreferenced vertices dropped'       /dev/null mesh2rect -n 16 "$b/unreferenced_vertices.ply"

@@ -1,5 +1,5 @@
-/* test_disk.c - disk.h: what becomes a disk, what is repaired, and the true reason
- * for what is refused; on literal soups and on the real meshes. */
+/* test_disk.c - disk.h: accepted, repaired and refused soups, with the reason; literal soups and the
+ * real meshes. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,10 +14,10 @@
 #include "../lib/mesh/disk.h"
 #include "../lib/meshfile/meshfile.h"
 
-/* What a disk is, asked without the code under test: every half-edge once, at most two
- * faces to an edge and those opposed, V - E + F = 1, the loop all half-edges without an
- * opposite, closed, beginning at its lowest vertex.  With one loop and Euler's number 1
- * a surface whose faces hang together is a disk. */
+/* The definition of a disk, checked without the code under test: every half-edge occurs once, an edge
+ * has at most two faces, in opposite directions, V - E + F = 1, and the loop consists of all
+ * half-edges without an opposite, is closed and begins at its lowest vertex.  A connected surface
+ * with one loop and Euler's number 1 is a disk. */
 static int
 find(const Mesh *m, int a, int b)
 {
@@ -122,8 +122,8 @@ disks(void **state)
 	takes("v 0 0 0\nv 1 0 0\nv .5 5e-8 0\nf 1 2 3\n", 3, 1, 3, "");         /* a sliver is a face */
 }
 
-/* The area tells whether a split covers the polygon once: an inverted or overlapping
- * triangle would make it larger. */
+/* The area checks that a split covers the polygon once: an inverted or overlapping triangle would make
+ * it larger. */
 static void
 splits(const char *text, int nf, double area)
 {
@@ -133,7 +133,7 @@ splits(const char *text, int nf, double area)
 	if (!(fabs(mesh_area(&d.m) - area) < 1e-14 * area))
 		fail_msg("'%s': area %g, not %g", text, mesh_area(&d.m), area);
 	for (i = 0; i < nf + 2; i++)
-		assert_int_equal(d.loop[i], i);         /* round as the face was */
+		assert_int_equal(d.loop[i], i);         /* oriented as the face */
 	disk_free(&d);
 }
 
@@ -171,7 +171,7 @@ polygons(void **state)
 	refuses("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n", MESH_EFACE,  /* a bow tie */
 	    "face 0, of 4 corners, cannot be split into triangles of some area");
 	refuses("v 2102 1 0\nv -2 0 0\nv -1 -1 0\nv 0 -2 0\nv 1 -1 0\nf 2 3 4\n", MESH_EFACE,
-	    "face 0 has no area");              /* .. and none in a polygon, as fuzzing found */
+	    "face 0 has no area");              /* .. nor a triangle of a polygon, found by fuzzing */
 	d = good("v 2102 1 0\nv -2 0 0\nv -1 -1 0\nv 0 -2 0\nv 1 -1 0\nf 1 2 3 4 5\n", 5, 3, 5, "");
 	for (f = 0; f < 3; f++)
 		assert_false(d.m.tri[3*f] + d.m.tri[3*f+1] + d.m.tri[3*f+2] == 6 && d.m.tri[3*f] > 0 &&
@@ -192,7 +192,7 @@ repairs(void **state)
 	    "1 unreferenced vertex dropped; 6 vertices of a soup welded to 4");
 	takes(SQUARE "f 1 2 3\nf 4 3 1\n", 4, 2, 4, "1 of 2 faces were turned to agree with the rest");
 	d = good(TETRA "f 1 2 3\nf 1 2 4\nf 2 3 4\n", 4, 3, 3, "1 of 3 faces were turned to agree with the rest");
-	assert_int_equal(d.m.tri[1], 2);        /* the first, though CGAL begins there */
+	assert_int_equal(d.m.tri[1], 2);        /* the first, though CGAL starts there */
 	disk_free(&d);
 }
 
@@ -210,7 +210,7 @@ refusals(void **state)
 	refuses(SQUARE "v 5 0 0\nv 6 0 0\nv 6 1 0\nf 1 2 3\nf 1 3 4\nf 5 6 7\n", MESH_EDISK,
 	    "2 components, a disk is one");
 	refuses(SQUARE "v 5 0 0\nv 6 0 0\nv 6 1 0\nf 1 2 3\nf 5 6 7\n", MESH_EDISK,
-	    "2 components, a disk is one");     /* a soup, but nothing welds */
+	    "2 components, a disk is one");     /* a soup, but no positions are equal */
 	refuses("v 0 0 0\nv 1 0 0\nv 1 1 0\nv -1 0 0\nv -1 -1 0\nf 1 2 3\nf 1 4 5\n", MESH_EMANIFOLD,
 	    "vertex 0 is pinched: 2 fans of faces meet there");
 	refuses("v 0 0 0\nv 1 0 0\nv 1 1 0\nv -1 0 0\nv -1 -1 0\nv 0 1 1\nv 0 2 1\nf 1 2 3\nf 1 4 5\nf 1 6 7\n",
@@ -218,7 +218,7 @@ refusals(void **state)
 	refuses("v 0 0 0\nv 3 0 0\nv 0 3 0\nv 1 1 0\nv 1.5 1 0\nv 1 1.5 0\n"
 	    "f 1 2 5 4\nf 2 3 6 5\nf 3 1 4 6\n", MESH_EDISK,
 	    "2 boundary loops, a disk has one: at vertices 0, 3");
-	refuses(STRIP "f 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n", MESH_EORIENT,    /* Moebius' own */
+	refuses(STRIP "f 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n", MESH_EORIENT,    /* Moebius' strip of five triangles */
 	    "surface is one-sided: no orientation agrees across edge");
 }
 
@@ -242,7 +242,7 @@ handles(void **state)
 	refuses(text, MESH_EDISK, "genus 1: a disk has no handles");
 }
 
-/* What a file reader would not let through. */
+/* Soups that a file reader would refuse. */
 static void
 raw_soups(void **state)
 {
@@ -267,7 +267,7 @@ raw_soups(void **state)
 	disk_free(&d);          /* allowed twice */
 }
 
-/* A grid of n x n squares in random order and with random faces turned is put right. */
+/* A grid of n x n squares in random order, with random faces turned, is repaired. */
 static void
 shuffled(void **state)
 {
@@ -304,7 +304,7 @@ shuffled(void **state)
 	disk_free(&d);
 }
 
-/* STL has no vertices of its own: its triangles grow together again. */
+/* STL has no shared vertices: its triangles are welded again. */
 static void
 stl_welds(void **state)
 {
@@ -325,8 +325,8 @@ stl_welds(void **state)
 	disk_free(&back);
 }
 
-/* Every vertex of the disk stands where the soup's of its number stands, and so does every
- * one of the soup that became it; the lowest of those gave the number. */
+/* A vertex of the disk has the position of the vertex of the soup with its number, and of all that were
+ * welded to it; its number is the lowest of these. */
 static void
 traces(const Disk *d, const Soup *s)
 {
@@ -371,7 +371,7 @@ origins(void **state)
 	}
 }
 
-/* The normal of every face turns round, and the loop with it; twice is nothing. */
+/* Every face and the loop are reversed; flipping twice changes nothing. */
 static void
 flips(void **state)
 {
@@ -398,7 +398,7 @@ flips(void **state)
 	disk_free(&d);
 }
 
-/* (u,v) go back to the soup's vertices, and into the rectangle. */
+/* (u,v) are copied to the soup's vertices, clamped to the rectangle. */
 static void
 uv_to_soup(void **state)
 {
@@ -444,7 +444,7 @@ slurp(const char *name, size_t *n)
 	return p;
 }
 
-/* Read and make a disk; the reason or the note of either into why. */
+/* Reads a file and makes a disk of it; why gets the reason or the note. */
 static int
 real(const char *name, Disk *d, char why[MESH_ERRLEN])
 {

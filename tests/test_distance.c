@@ -107,8 +107,8 @@ same_surface_is_at_zero(void **state)
 	mesh_free(&b);
 }
 
-/* Another triangulation of the same plane is the same surface.  Here CGAL is slow when
- * error is small, see distance.h. */
+/* Another triangulation of the same plane is the same surface.  CGAL is slow here if error is small, see
+ * distance.h. */
 static void
 triangulation_does_not_matter(void **state)
 {
@@ -120,7 +120,7 @@ triangulation_does_not_matter(void **state)
 	mesh_free(&b);
 }
 
-/* A plane moved along its normal is away by the move; moved in itself, too. */
+/* A plane that is moved, along its normal or in itself, has the distance of the move. */
 static void
 moved_plane(void **state)
 {
@@ -135,9 +135,8 @@ moved_plane(void **state)
 	mesh_free(&b);
 }
 
-/* A small square in the middle of a large one: from the small one to the large it is 0,
- * the other way the corners decide.  Only the symmetric distance sees it, and only from
- * b to a. */
+/* A small square in the middle of a large one: the distance from the small to the large one is 0, the
+ * other is that of the corners.  Only the symmetric distance includes it. */
 static void
 both_ways_count(void **state)
 {
@@ -149,8 +148,7 @@ both_ways_count(void **state)
 	mesh_free(&b);
 }
 
-/* The farthest point may be inside a face: a triangle over the middle of which a
- * pyramid stands, all other vertices shared. */
+/* The farthest point may be inside a face: a triangle, and a pyramid over it with the same corners. */
 static void
 inside_of_a_face(void **state)
 {
@@ -235,7 +233,7 @@ folded_face_crosses(void **state)
 	mesh_free(&a);
 }
 
-/* Faces of no area do not stop either. */
+/* Faces without area are no error for either. */
 static void
 faces_of_no_area_are_left_out(void **state)
 {

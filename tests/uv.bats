@@ -24,7 +24,7 @@ setup_file() {
 	EOF
 }
 
-# numbers FILE WORD: what follows WORD at the start of lines.
+# numbers FILE WORD: the rest of the lines that begin with WORD.
 numbers() {
 	sed -n "s/^$2 //p" "$1"
 }
@@ -35,7 +35,7 @@ apart() {
 		awk '{ d = sqrt(($1-$4)^2 + ($2-$5)^2 + ($3-$6)^2); if (d > m) m = d } END { print m + 0 }'
 }
 
-@test "--uv writes the mesh as it came, with T and the (u,v) of every vertex" {
+@test "--uv writes the mesh as it was read, with T and the (u,v) of every vertex" {
 	[ "$(numbers "$tmp/uv.obj" v)" = "$(awk 'NR == 2 { n = $1 } NR > 2 && NR <= n + 2' "$tmp/torus.off")" ]
 	[ "$(numbers "$tmp/uv.obj" f | sed 's:/[0-9]*::g')" = \
 		"$(awk 'NR == 2 { n = $1 } NR > n + 2 && NR > 2 { print $2 + 1, $3 + 1, $4 + 1 }' "$tmp/torus.off")" ]
@@ -126,7 +126,7 @@ apart() {
 	try 1 'far.obj: vertex 0 has \(u,v\) = \(0.5,1e\+09\), outside \[0,1\] x \[0,' "$tmp/phi" grid2mesh --on="$tmp/far.obj"
 }
 
-@test "--flip turns the normal and nothing else" {
+@test "--flip reverses the normal and nothing else" {
 	mesh2rect -n 32 -c 0,1,2,3 "$tmp/cap.off" | grid2lh -o "$tmp/front"
 	mesh2rect -n 32 --flip -c 0,3,2,1 "$tmp/cap.off" | grid2lh -o "$tmp/back"
 	H=$(lhinfo "$tmp/front" | awk '$2 == "H" { for (i = 1; i < NF; i++) if ($i == "mean") print $(i+1) }')
@@ -139,7 +139,7 @@ apart() {
 		"$(awk 'NR == 2 { n = $1 } NR == n + 3 { print $2 + 1, $3 + 1, $4 + 1 }' "$tmp/cap.off")" ]
 }
 
-@test "what is wrong with --uv and --on" {
+@test "errors of --uv and --on" {
 	try 2 'need an end of .obj or .ply'     "$tmp/cap.off" mesh2rect --uv="$tmp/x.off"
 	try 2 'need an end of .obj or .ply'     "$tmp/cap.off" mesh2rect --uv=-
 	cp "$tmp/uv.ply" "$tmp/same.ply"

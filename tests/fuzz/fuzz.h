@@ -1,5 +1,5 @@
-/* fuzz.h - what the fuzz targets share.  Each target is one file with the entry that
- * libFuzzer wants; the same file, linked with replay.c, reads kept inputs in make check. */
+/* fuzz.h - shared by the fuzz targets.  Each target is one file with the entry point of libFuzzer; the
+ * same file, linked with replay.c, reads the kept inputs in make check. */
 #ifndef FUZZ_H
 #define FUZZ_H
 
@@ -8,19 +8,19 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 
-/* Stop, saying what, unless ok. */
+/* Abort with the message what, unless ok. */
 void fuzz_need(int ok, const char *what);
 
-/* Bytes that format/ and lib/ hold now, and the most they held since fuzz_mark.  The
- * linker sends their malloc, calloc, realloc and free through memory.c; a realloc that grows
- * counts old and new together, as when it has to move. */
+/* Bytes that format/ and lib/ have allocated now, and their maximum since fuzz_mark.  The linker wraps
+ * their malloc, calloc, realloc and free by memory.c; a growing realloc counts old and new together,
+ * as if it had to move. */
 size_t fuzz_live(void);
 size_t fuzz_peak(void);
 void   fuzz_mark(void);
 
-/* Read the bytes as a mesh, with and without (u,v).  What is accepted is finite and in
- * range, and comes back bit by bit from the kind of file it is written to, which n chooses; a
- * refusal has one line and nothing to free; most bounds the memory of reading. */
+/* Read the bytes as a mesh, with and without (u,v).  An accepted mesh must be finite and in range, and
+ * come back bit by bit from the format it is written in, which n chooses; a refusal must have one
+ * line and nothing to free; most bounds the memory of reading. */
 void fuzz_mesh(const uint8_t *data, size_t n, size_t most);
 
 /* 16 bytes for each of n, and a constant: meshfile.h. */

@@ -1,5 +1,5 @@
-/* gzip.c - fuzz target: meshes behind gzip.  zlib's own check of the CRC finds this crc32,
- * so that damage gets as far as the mesh readers (kept inputs have 0 in its place). */
+/* gzip.c - fuzz target: gzipped meshes.  zlib links to this crc32, so damaged data reach the mesh
+ * readers (kept inputs have 0 for the CRC). */
 #include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
@@ -15,8 +15,8 @@ crc32(uLong crc, const Bytef *p, uInt n)
 	return 0;
 }
 
-/* 16 bytes for each byte unpacked, and those themselves: a buffer that grows by doubling
- * from four times the packed bytes. */
+/* 16 bytes for each byte unpacked, and the buffer of these, which grows by doubling from four times
+ * the packed size. */
 static size_t
 bound(size_t n, size_t unpacked)
 {
@@ -36,7 +36,7 @@ LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 	fuzz_mark();
 	if (gunzip((char *)p, n, (size_t)1 << 32, &out, &unpacked, err) == 0)
 		free(out);
-	else    /* what came before the damage is not told: the bound of the buffer */
+	else    /* the size before the damage is not known: the bound of the buffer */
 		unpacked = 1100*n + 4096;
 	fuzz_mesh(p, n, bound(n, unpacked));
 	free(p);

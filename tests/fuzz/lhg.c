@@ -1,5 +1,5 @@
-/* lhg.c - fuzz target: the .lhg reader.  Every grid that passes is within the limits of
- * LHG.md, and written again is byte for byte what was read. */
+/* lhg.c - fuzz target: the .lhg reader.  Every accepted grid is within the limits of LHG.md, and
+ * writing it gives the bytes that were read. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -34,7 +34,7 @@ refused(const LhgStream *s, const Lhg *g)
 	const char *p;
 
 	fuzz_need(g->nchan == 0 && !g->meta && !g->hist, "a refused grid has something to free");
-	fuzz_need(s->err[0] != '\0', "a refusal without words");
+	fuzz_need(s->err[0] != '\0', "a refusal without a message");
 	for (p = s->err; *p; p++)
 		fuzz_need(*p >= 0x20 && *p < 0x7f, "a message is not one printable line");
 }
@@ -79,8 +79,8 @@ LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 	fuzz_need(fuzz_live() == before, "memory is lost");
 	written = ftell(out);
 	fuzz_need(written >= 0 && (size_t)written <= n && memcmp(again, data, (size_t)written) == 0,
-	    "what was read is not what is written");
-	fuzz_need(e < 0 || (size_t)written == n, "bytes were passed over");
+	    "writing does not give the bytes that were read");
+	fuzz_need(e < 0 || (size_t)written == n, "bytes were skipped");
 	fclose(in);
 	fclose(out);
 	return 0;

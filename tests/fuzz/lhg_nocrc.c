@@ -1,5 +1,5 @@
-/* lhg_nocrc.c - fuzz target: the .lhg reader with its checksums off: every CRC is 0, also
- * those that inputs for this target hold. */
+/* lhg_nocrc.c - fuzz target: the .lhg reader without checksums: every CRC is 0, also in the inputs of
+ * this target. */
 #include <zlib.h>
 
 #include "lhg.c"

@@ -1,4 +1,4 @@
-/* memory.c - counts the memory that the code under test holds (link with --wrap). */
+/* memory.c - counts the memory that the code under test has allocated (link with --wrap). */
 #include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* mesh.c - what every fuzz target of the mesh readers demands. */
+/* mesh.c - the checks of all fuzz targets of the mesh readers. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,14 +18,14 @@ fuzz_meshbound(size_t n)
 	return 16*n + 1024;
 }
 
-/* The first refusal that has no words, two lines or control characters stops. */
+/* A refusal needs a message of one printable line. */
 static void
 refused(const Soup *s)
 {
 	const char *p;
 
 	fuzz_need(!s->xyz && !s->first && !s->idx && !s->channels.n, "a refused mesh has something to free");
-	fuzz_need(s->err[0] != '\0', "a refusal without words");
+	fuzz_need(s->err[0] != '\0', "a refusal without a message");
 	for (p = s->err; *p; p++)
 		fuzz_need(*p >= 0x20 && *p < 0x7f, "a message is not one printable line");
 }

@@ -1,5 +1,5 @@
-/* obj.c - fuzz target: OBJ, with (u,v) and without.  What begins as another kind is made to
- * begin as an OBJ. */
+/* obj.c - fuzz target: OBJ, with (u,v) and without.  Input that begins as another format gets the
+ * beginning of an OBJ. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* off.c - fuzz target: OFF, ASCII and binary.  A file that does not say OFF, or would be
- * taken for gzip, is made to. */
+/* off.c - fuzz target: OFF, ASCII and binary.  Input without the word OFF, or that would be read as
+ * gzip, gets it. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* ply.c - fuzz target: PLY, ASCII and binary, with (u,v) and without.  The first three
- * bytes are made to be "ply". */
+ * bytes are set to "ply". */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,5 @@
-/* replay.c - gives a fuzz target the inputs named on the command line: files, or folders
- * of files.  Prints how many; fails where the target stops, or does not for a minute, or
- * without any. */
+/* replay.c - runs a fuzz target on the inputs named on the command line: files, or folders of files.
+ * Prints their number; fails if the target aborts or takes a minute, or without inputs. */
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,7 +15,7 @@ file(const char *path, FILE *f)
 {
 	static uint8_t bytes[1 << 22];
 	size_t n = fread(bytes, 1, sizeof bytes, f);
-	uint8_t *exact = malloc(n + !n);        /* so that a sanitizer sees a step beyond */
+	uint8_t *exact = malloc(n + !n);        /* for a sanitizer to see an access beyond */
 
 	fuzz_need(!ferror(f) && n < sizeof bytes && exact, path);
 	memcpy(exact, bytes, n);

@@ -1,6 +1,6 @@
-/* stl.c - fuzz target: STL.  Text stays as it is; of what begins otherwise the length is
- * cut to a whole number of triangles and the count is made to say it, since without that
- * it is no binary STL.  What would be taken for gzip, which has its own target, is not. */
+/* stl.c - fuzz target: STL.  Text is read as it is.  Other input is cut to an integral number of
+ * triangles and gets their count, since otherwise it is no binary STL; gzip, which has its own
+ * target, is left out. */
 #include <stdlib.h>
 #include <string.h>
 
