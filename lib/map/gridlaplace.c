@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../base/cg.h"
 #include "../base/field.h"
 #include "../grid/stencil.h"
 #include "gridlaplace.h"
@@ -171,31 +172,37 @@ gridlaplace_apply(const GridLaplace *l, const double *x, double *y)
 
 /* ---- conjugate gradients --------------------------------------------- */
 
+typedef struct Harmonic {
+	const GridLaplace  *l;
+	const PlaneLaplace *plane;
+} Harmonic;
+
+static void
+apply(void *ctx, const double *x, double *y)
+{
+	gridlaplace_apply(((const Harmonic *)ctx)->l, x, y);
+}
+
+/* 0 at held nodes, so that no direction of CG moves them. */
+static void
+precondition(void *ctx, const double *r, double *z)
+{
+	planelaplace_solve(((const Harmonic *)ctx)->plane, r, z);
+}
+
 /* f holds its boundary values; work is four fields. */
 static void
-conjugate_gradients(const GridLaplace *l, const PlaneLaplace *plane, double *f, double *work)
+solve(const GridLaplace *l, const PlaneLaplace *plane, double *f, double *work)
 {
 	size_t n = (size_t)l->g.nu*l->g.nv, q;
-	double *r = work, *z = r + n, *d = z + n, *Kd = d + n, rz, stop, old, a;
-	int steps;
+	Harmonic harmonic = { l, plane };
+	CgSystem s = { n, apply, precondition, &harmonic };
+	CgLimits limits = { REDUCTION, MOST_STEPS, HUGE_VAL, 0 };
 
-	gridlaplace_apply(l, f, r);
+	gridlaplace_apply(l, f, work);
 	for (q = 0; q < n; q++)
-		r[q] = -r[q];
-	planelaplace_solve(plane, r, z);      /* 0 at held nodes, so d never moves them */
-	memcpy(d, z, n*sizeof *d);
-	rz = field_dot(n, r, z);
-	stop = REDUCTION*REDUCTION*rz;
-	for (steps = 0; rz > stop && steps < MOST_STEPS; steps++) {
-		gridlaplace_apply(l, d, Kd);
-		a = rz/field_dot(n, d, Kd);
-		field_add(n, a, d, f);
-		field_add(n, -a, Kd, r);
-		planelaplace_solve(plane, r, z);
-		old = rz;
-		rz = field_dot(n, r, z);
-		field_turn(n, z, rz/old, d);
-	}
+		work[q] = -work[q];
+	cg(&s, &limits, f, work, work + n, work + 2*n, work + 3*n);
 }
 
 int
@@ -209,7 +216,7 @@ gridlaplace_harmonic(const GridLaplace *l, int axis, double *f, double *energy)
 	if (!e) {
 		for (p = 0; p < n; p++)
 			f[p] = axis == 0 ? p%l->g.nu/(l->g.nu - 1.0) : p/l->g.nu/(l->g.nv - 1.0);
-		conjugate_gradients(l, &plane, f, work);
+		solve(l, &plane, f, work);
 		gridlaplace_apply(l, f, work);
 		*energy = field_dot(n, f, work);
 		planelaplace_free(&plane);

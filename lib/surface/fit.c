@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../base/cg.h"
 #include "../base/field.h"
 #include "fit.h"
 
@@ -26,6 +27,7 @@ static const double WORTH = 1e-3;       /* least share of the decrease a CG step
 
 typedef struct Work {
 	Misfit *m;
+	const double *phi;              /* where the normal equations are those of */
 	Plate   plate;
 	size_t  n;                      /* numbers in a vector */
 	double *r, *z, *p, *q, *d, *y;  /* residual, preconditioned, direction, J'J p; step, trial */
@@ -63,64 +65,41 @@ prepare(Work *k, Misfit *m)
 	return 0;
 }
 
-/* z = P^-1 r */
 static void
-precondition(Work *k)
+apply_normal(void *work, const double *p, double *q)
 {
+	const Work *k = work;
+
+	misfit_normal(k->m, k->phi, p, q);
+}
+
+static void
+precondition(void *work, const double *r, double *z)
+{
+	Work *k = work;
 	double w = k->m->w;
 
-	field_scale(k->n, 1, k->r, k->z);
-	plate_solve(&k->plate, k->m->scale, TENSION*w*w*k->m->scale, k->z);
+	field_scale(k->n, 1, r, z);
+	plate_solve(&k->plate, k->m->scale, TENSION*w*w*k->m->scale, z);
 	k->solves++;
 }
 
-/* The largest t with |d + t p| = radius, from the inner products in the norm of the plate. */
-static double
-to_the_border(double dd, double dp, double pp, double radius)
-{
-	return (-dp + sqrt(dp*dp + pp*(radius*radius - dd)))/pp;
-}
-
-/* d from the gradient in -r; what E should fall by, the length of d, and whether no steps were
- * left. */
+/* Solves for the step d; the negative gradient is in r.  Returns the predicted decrease of E;
+ * *length is |d| in the plate norm, *spent is set if CG reached its limit of steps. */
 static double
 conjugate_gradients(Work *k, const double *phi, double *length, int *spent)
 {
-	double rz, stop, dd = 0, dp = 0, pp, fall = 0, old, t;
-	int steps, out, most = !k->m->free ? MOST_CG : k->near ? MOST_CG_NEAR : MOST_CG_FREE;
-	double worth = k->m->free && k->near ? WORTH_NEAR : WORTH;
+	CgSystem s = { k->n, apply_normal, precondition, k };
+	CgLimits limits = { REDUCTION, !k->m->free ? MOST_CG : k->near ? MOST_CG_NEAR : MOST_CG_FREE,
+	    k->radius, k->m->free && k->near ? WORTH_NEAR : WORTH };
+	CgResult is;
 
+	k->phi = phi;
 	memset(k->d, 0, k->n*sizeof *k->d);
-	precondition(k);
-	field_scale(k->n, 1, k->z, k->p);
-	pp = rz = field_dot(k->n, k->r, k->z);
-	stop = REDUCTION*REDUCTION*rz;
-	for (steps = 0; rz > stop && steps < most; steps++) {
-		misfit_normal(k->m, phi, k->p, k->q);
-		t = rz/field_dot(k->n, k->p, k->q);
-		out = !(dd + 2*t*dp + t*t*pp < k->radius*k->radius);
-		if (out) {
-			double s = to_the_border(dd, dp, pp, k->radius);
-
-			fall += 2*s*rz - s*s*rz/t;
-			t = s;
-		} else
-			fall += t*rz;
-		field_add(k->n, t, k->p, k->d);
-		dd += 2*t*dp + t*t*pp;
-		if (out || t*rz < worth*fall)
-			break;
-		field_add(k->n, -t, k->q, k->r);
-		precondition(k);
-		old = rz;
-		rz = field_dot(k->n, k->r, k->z);
-		dp = rz/old*(dp + t*pp);
-		pp = rz + rz/old*(rz/old)*pp;
-		field_turn(k->n, k->z, rz/old, k->p);
-	}
-	*spent = steps == most;
-	*length = sqrt(dd);
-	return fall;
+	is = cg(&s, &limits, k->d, k->r, k->z, k->p, k->q);
+	*spent = is.steps == limits.steps;
+	*length = is.length;
+	return is.decrease;
 }
 
 /* What came of a step. */

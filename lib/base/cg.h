@@ -1,0 +1,34 @@
+/* cg.h - preconditioned conjugate gradients in a trust region (T. Steihaug 1983).
+ *
+ * Minimises  <x, A x>/2 - <b, x>  for symmetric positive definite A and preconditioner P. */
+#ifndef CG_H
+#define CG_H
+
+#include <stddef.h>
+
+typedef struct CgSystem {
+	size_t n;               /* unknowns */
+	void (*apply)(void *ctx, const double *p, double *q);           /* q = A p */
+	void (*precondition)(void *ctx, const double *r, double *z);    /* z = P^-1 r */
+	void  *ctx;
+} CgSystem;
+
+typedef struct CgLimits {
+	double reduction;       /* of |r| in the norm of P^-1, at which to stop */
+	int    steps;
+	double radius;          /* of the trust region, |x - start| in the norm of P; or HUGE_VAL */
+	double worth;           /* stop when a step adds less than this share of the decrease */
+} CgLimits;
+
+typedef struct CgResult {
+	double decrease;        /* twice that of the function */
+	double length;          /* |x - start| in the norm of P, the radius if that was reached */
+	int    steps;           /* those of CgLimits if neither reduction nor worth nor radius ended it */
+} CgResult;
+
+/* x  in/out  a start, and the solution
+ * r  in/out  the residual b - A x of the start; then that before the last step or after it
+ * z, p, q    workspace of n numbers each */
+CgResult cg(const CgSystem *s, const CgLimits *limits, double *x, double *r, double *z, double *p, double *q);
+
+#endif
