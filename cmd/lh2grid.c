@@ -1,12 +1,13 @@
 /* lh2grid - the surface that fits a conformal factor and a mean curvature best */
-#include <math.h>
 #include <stdlib.h>
 
 #include "../lib/surface/frame.h"
 #include "shared/claim.h"
 #include "shared/chartof.h"
 #include "shared/cmd.h"
+#include "lh2grid/channels.h"
 #include "lh2grid/follow.h"
+#include "lh2grid/framefit.h"
 #include "lh2grid/keyframes.h"
 #include "shared/range.h"
 #include "lh2grid/surfacefit.h"
@@ -67,96 +68,38 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
-/* The band, of at least so many rings, set into whole grids phi[3][nv][nu]. */
-static void
-read_band(const CmdInput *in, const Lhg *g, int rings, double *phi)
-{
-	static const char *const band[3] = { "band.x", "band.y", "band.z" };
-	LhgChannel *b;
-	int c;
-
-	for (c = 0; c < 3 && rings; c++) {
-		cmd_need(in, g, band[c], LHG_BORDER);
-		b = lhg_find(g, band[c]);
-		if (b->step < rings)
-			die("%s: channel %s has %d rings, need %d", in->name, band[c], b->step, rings);
-		lhg_scatter(g, b, phi + (size_t)c*g->nu*g->nv);
-		range_width(in, g, band[c]);
-	}
-}
-
-static void
-frame_method(const CmdInput *in, Chart g, const double *lambda, const double *H, double *phi)
-{
-	size_t n = (size_t)g.nu*g.nv;
-	double *x[3] = { phi, phi + n, phi + 2*n };
-	SpdReport report = { 0, 0 };
-	int at = 0;
-
-	switch (frame_surface(g, lambda, H, x, &at, &report)) {
-	case 0: return;
-	case FRAME_EBAND: die("%s: the band has no tangent plane at node (%d,%d)", in->name, at%g.nu, at/g.nu);
-	case SPD_ENOMEM: die("%s: no memory: the factor of %d x %d nodes wants %.0f bytes",
-	    in->name, g.nu, g.nv, report.bytes);
-	case SPD_ELARGE: die("%s: %d x %d nodes are more than the solver can number", in->name, g.nu, g.nv);
-	default: die("%s: the normal equations are not positive definite at row %d", in->name, report.column);
-	}
-}
-
-/* x y z in, all that was read out. */
-static void
-replace(const CmdInput *in, Lhg *g, const double *phi)
-{
-	static const char *const used[] = { "lambda", "H", "band.x", "band.y", "band.z",
-	    "start.x", "start.y", "start.z", "nu1", "nu2", "tau1", "tau2", "x", "y", "z" };
-	size_t i, p, n = (size_t)g->nu*g->nv;
-	char unit[LHG_NAMELEN], name[2] = "x";
-	double *f;
-	int c;
-
-	snprintf(unit, sizeof unit, "%s", lhg_find(g, lhg_find(g, "band.x") ? "band.x" : "start.x")->unit);
-	for (i = 0; i < sizeof used/sizeof *used; i++)
-		lhg_drop(g, used[i]);
-	for (c = 0; c < 3; c++) {
-		name[0] = "xyz"[c];
-		f = cmd_add(g, name, unit, LHG_GRID, 0);
-		for (p = 0; p < n; p++) {
-			f[p] = phi[c*n+p];
-			if (!isfinite(f[p]))
-				die("%s: the solution is not finite at node (%zu,%zu)", in->name, p%g->nu, p/g->nu);
-		}
-	}
-}
+/* Numbers a node that each method needs, and --follow beside them. */
+enum { SURFACE_NUMBERS = 31, FRAME_NUMBERS = 680, FOLLOW_NUMBERS = 3 };
 
 /* Returns the surface that g now has, [3][nv][nu]. */
 static double *
-convert(const CmdInput *in, Lhg *g, int method, const SurfaceFit *o)
+convert(const CmdInput *in, Lhg *g, int method, int follows, const SurfaceFit *o)
 {
 	const double *lambda = cmd_need(in, g, "lambda", LHG_GRID), *H = cmd_need(in, g, "H", LHG_GRID);
 	Chart chart = chart_of(g);
 	double *phi;
 
 	claim(in->name, method ? "the frame method" : "the surface method", (double)g->nu*g->nv,
-	    8*(method ? 680 : 31));
+	    8*(method ? FRAME_NUMBERS : SURFACE_NUMBERS + follows*FOLLOW_NUMBERS));
 	phi = cmd_alloc(3*(size_t)g->nu*g->nv, sizeof *phi);
 	range_height(in, g);
 	range_lambda_h(in, g, lambda, H);
 	cmd_progress("frame %d of %d, %d x %d nodes", g->frame, g->frames, g->nu, g->nv);
 	if (method) {
-		read_band(in, g, FRAME_BAND, phi);
-		frame_method(in, chart, lambda, H, phi);
+		band_read(in, g, FRAME_BAND, phi);
+		framefit(in, chart, lambda, H, phi);
 	} else {
-		read_band(in, g, surfacefit_rings(g, o), phi);
+		band_read(in, g, surfacefit_rings(g, o), phi);
 		surfacefit(in, g, o, phi);
 	}
-	replace(in, g, phi);
+	surface_replace(in, g, phi);
 	return phi;
 }
 
 static void
 convert_frame(const CmdInput *in, Lhg *g, const SurfaceFit *o)
 {
-	free(convert(in, g, 0, o));
+	free(convert(in, g, 0, 0, o));
 }
 
 int
@@ -198,7 +141,7 @@ main(int argc, char *argv[])
 	while (cmd_read(&in, &g)) {
 		if (chained)
 			follow(&before, &g);
-		phi = convert(&in, &g, method, &o);
+		phi = convert(&in, &g, method, chained, &o);
 		cmd_write(&g);
 		if (chained)
 			follow_keep(&before, &g, phi);

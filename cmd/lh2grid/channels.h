@@ -1,0 +1,14 @@
+/* channels.h - the band that lh2grid reads and the positions that it writes. */
+#ifndef CHANNELS_H
+#define CHANNELS_H
+
+#include "../shared/cmd.h"
+
+/* Copies the outer nodes of band.x band.y band.z into phi [3][nv][nu]; dies if they have fewer
+ * rings than these. */
+void band_read(const CmdInput *in, const Lhg *g, int rings, double *phi);
+
+/* Adds x y z from phi [3][nv][nu] and removes all channels that lh2grid reads. */
+void surface_replace(const CmdInput *in, Lhg *g, const double *phi);
+
+#endif
