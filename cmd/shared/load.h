@@ -11,7 +11,7 @@ void load_soup(const char *path, int uv, Soup *s);
 /* The same from n bytes that were read already; frees them. */
 void load_bytes(const char *name, char *bytes, size_t n, int uv, Soup *s);
 
-/* The disk made from s, or die; what was repaired is noted. */
+/* The disk made from s, or die; repairs are noted. */
 void load_disk(const char *name, const Soup *s, Disk *d);
 
 /* Die if no mesh can begin with these bytes.  A CmdLook. */

@@ -1,4 +1,4 @@
-/* disk.c - makes a disk of a polygon soup, or says why it is none. */
+/* disk.c - makes a disk of a polygon soup, or gives the reason why it is none. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* disk.h - makes a disk of a polygon soup, or says why it is none. */
+/* disk.h - makes a disk of a polygon soup, or gives the reason why it is none. */
 #ifndef DISK_H
 #define DISK_H
 

@@ -134,10 +134,10 @@ check_corners(Reader *r)
 }
 
 static int
-parse_unpacked(Soup *s, const char *p, size_t n, int wantuv)
+parse_unpacked(Soup *s, const char *p, size_t n, int read_uv)
 {
 	const MeshStart m = beginning_of(p, n, n, n);
-	Reader r = { .p = m.p, .end = m.p + m.n, .line = 1, .s = s, .wantuv = wantuv };
+	Reader r = { .p = m.p, .end = m.p + m.n, .line = 1, .s = s, .read_uv = read_uv };
 	const MeshFormat *format;
 	char list[MESHFORMAT_LIST];
 	int e;
@@ -147,12 +147,12 @@ parse_unpacked(Soup *s, const char *p, size_t n, int wantuv)
 	format = choose(&m, s->err);
 	if (!format)
 		return MESH_EFORMAT;
-	if (wantuv && !(format->can & MESHFORMAT_UV))
+	if (read_uv && !(format->can & MESHFORMAT_UV))
 		return mesh_fail(s->err, MESH_EFORMAT, "only %s carry (u,v)",
 		    meshformat_names(MESHFORMAT_UV, "and", list));
 	if ((e = soup_reserve(&r, 0, 0, 0)) == 0 && (e = format->read(&r)) == 0)
 		e = check_corners(&r);
-	if (!e && wantuv)
+	if (!e && read_uv)
 		e = uv_check(&r);
 	if (e)
 		soup_free(s);
@@ -160,7 +160,7 @@ parse_unpacked(Soup *s, const char *p, size_t n, int wantuv)
 }
 
 static int
-parse(Soup *s, const void *bytes, size_t n, size_t most, int wantuv)
+parse(Soup *s, const void *bytes, size_t n, size_t most, int read_uv)
 {
 	const char *p = bytes;
 	char *out;
@@ -168,10 +168,10 @@ parse(Soup *s, const void *bytes, size_t n, size_t most, int wantuv)
 
 	memset(s, 0, sizeof *s);
 	if (!is_gzip(p, n))
-		return parse_unpacked(s, p, n, wantuv);
+		return parse_unpacked(s, p, n, read_uv);
 	if ((e = gunzip(p, n, most, &out, &n, s->err)) != 0)
 		return e;
-	e = parse_unpacked(s, out, n, wantuv);
+	e = parse_unpacked(s, out, n, read_uv);
 	free(out);
 	return e;
 }

@@ -34,7 +34,7 @@
 int meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most);
 
 /* The same, with the (u,v) of every vertex in the channel MESH_UV and the T they belong to in
- * s->T, 0 if the file does not say it:
+ * s->T, 0 if the file does not have it:
  *
  * OBJ  vt lines and corners a/b or a/b/c; T from a line "# lhgrid T 0.91"
  * PLY  vertex properties s t, or u v, or texture_u texture_v; T from "comment lhgrid T 0.91"

@@ -12,7 +12,7 @@ typedef struct Reader {
 	const char *p, *end;    /* the bytes left */
 	long   line;            /* of p, from 1 */
 	int    hash;            /* # begins a comment */
-	int    wantuv;          /* read MESH_UV and s->T */
+	int    read_uv;          /* read MESH_UV and s->T */
 	double *uv;             /* the values of MESH_UV, once uv_start made it */
 	Soup  *s;
 	size_t ni;              /* corners, including those of the unfinished face */

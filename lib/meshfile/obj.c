@@ -155,7 +155,7 @@ corner(Obj *o, Token t)
 		return bad(r, "a corner", t);
 	if ((e = index_from_0(r, (Token){ t.s, n }, r->s->nv, "vertices", &i)) != 0)
 		return e;
-	if (r->wantuv && (e = cornertexture(o, slash, t.s + t.n)) != 0)
+	if (r->read_uv && (e = cornertexture(o, slash, t.s + t.n)) != 0)
 		return e;
 	return soup_corner(r, i);
 }
@@ -221,15 +221,15 @@ statements(Obj *o)
 			e = vertex(r);
 		else if (t.n == 1 && *t.s == 'f')
 			e = face(o);
-		else if (r->wantuv && t.n == 2 && memcmp(t.s, "vt", 2) == 0)
+		else if (r->read_uv && t.n == 2 && memcmp(t.s, "vt", 2) == 0)
 			e = texture(o);
-		else if (r->wantuv && t.n == 1 && *t.s == '#')
+		else if (r->read_uv && t.n == 1 && *t.s == '#')
 			e = uv_modulus(r);
 		if (e)
 			return e;
 		scan_skipline(r);
 	}
-	return r->wantuv ? assign_all(o) : 0;
+	return r->read_uv ? assign_all(o) : 0;
 }
 
 int

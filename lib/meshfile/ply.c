@@ -55,7 +55,7 @@ value(Record *c, const PlyType *type, double *x)
 }
 
 static int
-whole(Record *c, double x, double lo)
+check_integer(Record *c, double x, double lo)
 {
 	char show[SCAN_SHOW];
 
@@ -99,7 +99,7 @@ item(Record *c, const PlyProp *q)
 		return e;
 	if (q->use == PLY_SKIP)
 		return 0;
-	if ((e = whole(c, x, c->e->kind == PLY_STRIP ? -1 : -1e15)) != 0)
+	if ((e = check_integer(c, x, c->e->kind == PLY_STRIP ? -1 : -1e15)) != 0)
 		return e;
 	return c->e->kind == PLY_STRIP ? strip(c, (long long)x) : soup_corner(c->p->r, (long long)x);
 }
@@ -111,7 +111,7 @@ list(Record *c, const PlyProp *q)
 	double x;
 	int e;
 
-	if ((e = value(c, q->count, &x)) != 0 || (e = whole(c, x, 0)) != 0)
+	if ((e = value(c, q->count, &x)) != 0 || (e = check_integer(c, x, 0)) != 0)
 		return e;
 	for (n = (long long)x, c->turn = 0, k = 0; k < n; k++)
 		if ((e = item(c, q)) != 0)

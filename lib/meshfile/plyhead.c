@@ -88,14 +88,14 @@ uvuse(Token name)
 }
 
 static int
-use(int kind, int list, Token name, int wantuv)
+use(int kind, int list, Token name, int read_uv)
 {
 	if (kind == PLY_VERTEX && !list && name.n == 1 && *name.s >= 'x' && *name.s <= 'z')
 		return *name.s - 'x';
 	if ((kind == PLY_FACE || kind == PLY_STRIP) && list &&
 	    (scan_is(name, "vertex_indices") || scan_is(name, "vertex_index")))
 		return PLY_CORNERS;
-	return kind == PLY_VERTEX && !list && wantuv ? uvuse(name) : PLY_SKIP;
+	return kind == PLY_VERTEX && !list && read_uv ? uvuse(name) : PLY_SKIP;
 }
 
 /* "property float x" or "property list uchar int vertex_indices" */
@@ -124,7 +124,7 @@ property(Ply *p)
 		return bad(p, "a type", t);
 	if (!scan_word(p->r, &t))
 		return bad(p, "a name", t);
-	q->use = use(e->kind, q->count != NULL, t, p->r->wantuv);
+	q->use = use(e->kind, q->count != NULL, t, p->r->read_uv);
 	for (i = e->p0; i < p->np; i++)
 		if (q->use != PLY_SKIP && p->prop[i].use == q->use)
 			return bad(p, "a new name", t);
@@ -165,7 +165,7 @@ complete(Ply *p)
 			has += p->prop[i].use != PLY_SKIP && p->prop[i].use < PLY_UV;
 		if (x->kind == PLY_VERTEX && has < 3)
 			return mesh_fail(p->r->s->err, MESH_EFORMAT, "vertices lack x, y or z");
-		if (x->kind == PLY_VERTEX && p->r->wantuv && (err = findpair(p, x)) != 0)
+		if (x->kind == PLY_VERTEX && p->r->read_uv && (err = findpair(p, x)) != 0)
 			return err;
 		if (x->kind > PLY_VERTEX && has < 1)
 			return mesh_fail(p->r->s->err, MESH_EFORMAT,
@@ -185,7 +185,7 @@ line(Ply *p, Token t)
 		return element(p);
 	if (scan_is(t, "property"))
 		return property(p);
-	if (scan_is(t, "comment") && p->r->wantuv)
+	if (scan_is(t, "comment") && p->r->read_uv)
 		return uv_modulus(p->r);
 	if (scan_is(t, "comment") || scan_is(t, "obj_info"))
 		return 0;
