@@ -55,13 +55,13 @@ append_part(Keyed *l, const Border *b, int n, const double *p, int i, int *k)
 	if (!(way > 1e-12*b->s[b->n]))
 		return MATCHING_ELENGTH;
 	border_at(b, p[i], x);
-	append(l, i, from, x);
+	append(l, i, from, x);                                          /* (33) */
 	for (;; ++*k) {
 		r = border_place(b, *k%b->n) + (*k >= b->n ? 4 : 0);
 		if (r >= to)
 			break;
 		if (r > from)
-			append(l, i + fmin((arc(b, r) - s)/way, 1), r, b->x + 3*(*k%b->n));
+			append(l, i + fmin((arc(b, r) - s)/way, 1), r, b->x + 3*(*k%b->n));     /* (34) */
 	}
 	return 0;
 }

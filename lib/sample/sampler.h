@@ -26,9 +26,9 @@ typedef struct Sampler {
 int  sampler_init(Sampler *s, const Disk *d, const double *u, const double *v, double T, int surface);
 void sampler_free(Sampler *s);
 
-/* phi at every node of g, (x,y) its place in the chart of the mesh; all [nv][nu].  Computes
- * the jets that it needs, and keeps them: not from several threads at once.  Returns 0 or
- * SAMPLER_ENOMEM. */
+/* phi (11) at every node of g (24), (x,y) its place in the chart of the mesh; all [nv][nu].
+ * Computes the jets that it needs, and keeps them: not from several threads at once.
+ * Returns 0 or SAMPLER_ENOMEM. */
 int  sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double *const phi[3]);
 
 /* A channel of the mesh at the same nodes, out[k] being number k of its c->n, in the same way: linear,

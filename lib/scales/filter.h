@@ -11,7 +11,7 @@ typedef enum FilterRule {
 	FILTER_PERCENT,         /* |C|/(nu nv rms) x 100 > bound, rms the root mean square of f
 	                         * (of log f minus its mean, under log): a K that means the
 	                         * same for lambda and H, for any unit of length and any size
-	                         * of grid (DESIGN section 5) */
+	                         * of grid (doc/mathematics.md 5.2) */
 	FILTER_RAW,             /* |C| > bound, as (32) is written */
 	FILTER_KEEP,            /* the `bound` largest in modulus, of nu nv, and those equal to
 	                         * the last; a conjugate pair counts two, kept or dropped as

@@ -73,7 +73,7 @@ spectrum_forward(Spectrum s, const double *f, double complex *C)
 	else
 		plan = fftw_plan_dft_r2c_2d(s.g.nv, s.g.nu, in, out, FFTW_ESTIMATE);
 	memcpy(in, f, n*sizeof *in);
-	fftw_execute(plan);
+	fftw_execute(plan);                                             /* (16), (17) */
 	fftw_destroy_plan(plan);
 	for (q = 0; q < spectrum_size(s); q++)
 		C[q] = s.basis == SPECTRUM_DCT ? dct_norm(s, q)*in[q] : out[q];
@@ -105,7 +105,7 @@ spectrum_inverse(Spectrum s, const double complex *C, double *f)
 			out[q] = creal(C[q])/dct_norm(s, q)/4;
 		else
 			in[q] = C[q];
-	fftw_execute(plan);
+	fftw_execute(plan);                                             /* (18), (19) */
 	fftw_destroy_plan(plan);
 	for (q = 0; q < n; q++)
 		f[q] = out[q]/n;

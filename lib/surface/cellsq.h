@@ -4,7 +4,7 @@
  * 4*fields unknowns at its corners; several right-hand sides share the matrix.  Values
  * on the outer `held` rings of nodes are data.  Averages and differences of the four
  * corners are the natural stencils: wide central differences at nodes leave odd-even
- * modes free (DESIGN section 6).
+ * modes free (doc/mathematics.md 7.2).
  *
  * minimised   sum over cells |A_cell x_corners - b_cell|^2
  * over        x at the nodes at least `held` steps from the edge

@@ -74,6 +74,7 @@ centre_lambda2H(const Given *s, int i, int j)
 	return (a[0]*a[0]*f[0] + a[1]*a[1]*f[1] + b[0]*b[0]*e[0] + b[1]*b[1]*e[1])/4;
 }
 
+/* The equations of Codazzi for D and M.                                        (14) */
 static void
 codazzi(const void *ctx, int i, int j, CellRows *r)
 {
@@ -89,9 +90,9 @@ codazzi(const void *ctx, int i, int j, CellRows *r)
 	r->b[1][0] = -lambda2*centre_v(s->g, s->H, i, j);
 }
 
-/* The natural frame equations (13) in real form, DESIGN section 2, everything on the
+/* The natural frame equations (13) in real form (doc/mathematics.md 7.1), everything on the
  * left.  The rows of n are scaled by lambda, as n is of size 1 where p and q are of size
- * lambda. */
+ * lambda.                                                                      (30) */
 static void
 natural_frame(const void *ctx, int i, int j, CellRows *r)
 {
@@ -134,7 +135,7 @@ position(const void *ctx, int i, int j, CellRows *r)
 	const Given *s = ctx;
 	int c;
 
-	term(s, r->A[0], 1, 0, 1, 0, 0);        /* phi_u = p */
+	term(s, r->A[0], 1, 0, 1, 0, 0);        /* phi_u = p                            (31) */
 	term(s, r->A[1], 1, 0, 0, 1, 0);        /* phi_v = q */
 	for (c = 0; c < 3; c++) {
 		r->b[0][c] = centre(s->g, s->pqn + c, 9, i, j);
@@ -142,7 +143,7 @@ position(const void *ctx, int i, int j, CellRows *r)
 	}
 }
 
-/* Frame and second form of phi at inner node (i,j). */
+/* Frame and second form of phi at inner node (i,j).                            (12) */
 static int
 node_of_band(Chart g, const double *const phi[3], int i, int j, double pqn[9], double DM[2])
 {

@@ -12,7 +12,7 @@
  * "mkmesh -n 60000 cortex" at 129 x 129: 139; without this step 105, with it 133).
  *
  * phi is given on the three outer rings (the neighbourhood V of Theorem 1): from it come
- * the frame and the second fundamental form on the outer two.  DESIGN sections 2 and 6.
+ * the frame and the second fundamental form on the outer two (doc/mathematics.md 7).
  */
 #ifndef FRAME_H
 #define FRAME_H

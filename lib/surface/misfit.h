@@ -16,7 +16,7 @@
  * (lambda^2 H^2 + 4 |grad log lambda|^2), the turn of the normal and of the coordinate lines over one cell.
  * Truncation makes of a conformal map a grid that is off by about q^2.  The third line,
  * which holds all the same, is trusted more.  o = 0 where lambda < 0.01 <lambda^2>^(1/2),
- * and |H| is clipped so that lambda |H| times a step is <= 2 (DESIGN section 6).
+ * and |H| is clipped so that lambda |H| times a step is <= 2 (doc/mathematics.md 6.3).
  *
  * n is smooth where the surface folds over: it is 0 where phi_u x phi_v is, over a thousandth
  * of lambda^2 (not with a residue, where such places are not to be).

@@ -4,7 +4,7 @@
  * coarse grids to fine ones, each starting from the one before and the coarsest from a start
  * (or the first that has no more nodes than the start).  The start chooses among solutions -
  * a surface is not the only one with its lambda, H and boundary - and enters no equation.
- * DESIGN section 6.
+ * doc/mathematics.md 6.5.
  *
  * With a free boundary lambda and H alone determine the surface up to a motion (Bonnet), but
  * for the surfaces that bend with H kept, as those of constant H do: then the start decides.
