@@ -74,13 +74,39 @@ def shrink(image, samples):
     return image.reshape(h, samples, w, samples, 3).mean((1, 3))
 
 
-def png(path, image):
-    rows = np.round(255*np.clip(image, 0, 1)).astype(np.uint8)
-    raw = b''.join(b'\0' + r.tobytes() for r in rows)
+def palette(colours, n):
+    """At most n colours for an array of them [m][3], and the number of its own for each: median cut."""
+    white = (colours == 255).all(1)              # the paper stays white
+    boxes = [np.flatnonzero(b) for b in (white, ~white) if b.any()]
+    while len(boxes) < n:
+        widths = [np.ptp(colours[b].astype(int), axis=0).max()*len(b)**0.5 for b in boxes]
+        if max(widths) == 0:
+            break
+        box = boxes.pop(int(np.argmax(widths)))
+        side = colours[box, np.ptp(colours[box].astype(int), axis=0).argmax()]
+        low = side < max(np.median(side), side.min() + 1)
+        boxes += [box[low], box[~low]]
+    table, number = np.zeros((len(boxes), 3), np.uint8), np.zeros(len(colours), np.uint8)
+    for k, box in enumerate(boxes):
+        table[k], number[box] = np.round(colours[box].mean(0)), k
+    return table, number
+
+
+def png(path, image, colours=0):
+    """image, [h][w][3] in 0..1, to path; where colours is not 0, with a palette of at most so many, up to 256."""
+    pixels = np.round(255*np.clip(image, 0, 1)).astype(np.uint8)
+    h, w = pixels.shape[:2]
+    table = b''
 
     def chunk(kind, data):
         return struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data))
 
-    head = struct.pack('>IIBBBBB', rows.shape[1], rows.shape[0], 8, 2, 0, 0, 0)
+    if colours:
+        distinct, which = np.unique(pixels.reshape(-1, 3), axis=0, return_inverse=True)
+        entries, number = palette(distinct, colours)
+        pixels = number[which.ravel()].reshape(h, w)
+        table = chunk(b'PLTE', entries.tobytes())
+    raw = b''.join(b'\0' + row.tobytes() for row in pixels)
+    head = struct.pack('>IIBBBBB', w, h, 8, 3 if colours else 2, 0, 0, 0)
     with open(path, 'wb') as f:
-        f.write(b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', head) + chunk(b'IDAT', zlib.compress(raw, 6)) + chunk(b'IEND', b''))
+        f.write(b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', head) + table + chunk(b'IDAT', zlib.compress(raw, 9 if colours else 6)) + chunk(b'IEND', b''))

@@ -13,6 +13,7 @@ both sides of a face alike.  Deterministic.
   --pick=N,N..   only the surfaces of these numbers, from 1
   --chart        draw (u,v) instead of the positions
   --edges        draw the edges
+  --colours=N    at most N colours, 2..256, for a smaller file
   --circles=N    draw N circles across the width of (u,v)
   --paint=LH.lhg:CHANNEL   colour by a channel of the grid of equal number in LH.lhg, or of
                  its last; with a bar below, whose two ends are printed to stdout
@@ -172,7 +173,7 @@ def place(surface, turn, o):
 
 class Options:
     def __init__(self, args):
-        self.__dict__.update({'from': '0,0,1', 'up': '0,1,0', 'size': '320x320', 'paint': '', 'circles': '', 'top': '', 'pick': '',
+        self.__dict__.update({'from': '0,0,1', 'up': '0,1,0', 'size': '320x320', 'paint': '', 'circles': '', 'top': '', 'pick': '', 'colours': '0',
                               'each': False, 'chart': False, 'edges': False, 'log': False})
         while args and args[0].startswith('--'):
             key, equals, value = args.pop(0)[2:].partition('=')
@@ -202,9 +203,9 @@ def main(args):
         panels[number] = draw(surface, xyz*scale + middle, number - 1, o)
     if '%' in o.out:
         for number, panel in panels.items():
-            raster.png(o.out % number, panel)
+            raster.png(o.out % number, panel, int(o.colours))
     else:
-        raster.png(o.out, np.concatenate(list(panels.values()), 1))
+        raster.png(o.out, np.concatenate(list(panels.values()), 1), int(o.colours))
     if o.paint:
         print('%.3g %.3g' % tuple(o.paint.ends))
 
