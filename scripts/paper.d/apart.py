@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""apart.py A.lhg B.lhg OUT.lhg - a grid whose channel distance is that between the nodes."""
+"""apart.py A.lhg B.lhg OUT.lhg - a grid with channel distance, node by node."""
 import os
 import sys
 

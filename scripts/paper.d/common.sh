@@ -13,7 +13,7 @@ need() {
 	done
 }
 
-# run COMMAND...: its notes go to $w/said; when it fails, its last line is the last of all.
+# run COMMAND...: its notes are in $w/said; when it fails, ends with its last line.
 run() {
 	"$@" 2>"$w/said" || die "$(tail -n 1 "$w/said")"
 }
@@ -63,7 +63,7 @@ back() {
 
 # number FILE NAME: a number of what lhdiff wrote.
 number() {
-	awk -v n="$2" '$1 == n { print $2; found = 1 } END { exit !found }' "$1" || die "lhdiff says nothing of $2"
+	awk -v n="$2" '$1 == n { print $2; found = 1 } END { exit !found }' "$1" || die "lhdiff prints no $2"
 }
 
 # short X [FACTOR]: FACTOR X with three digits.

@@ -1,4 +1,4 @@
-# hard.sh - surfaces beyond the paper's, and where the grid cannot hold them.
+# hard.sh - surfaces harder than those of the paper, and where the grid is too coarse for them.
 
 # hard_row ROLE: one line of the table, and the pictures for where.
 hard_row() {

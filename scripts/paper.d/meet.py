@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""meet.py A.lhg B.lhg OUT.lhg - B at the size of A, its area made equal."""
+"""meet.py A.lhg B.lhg OUT.lhg - B scaled to the area of A and moved rigidly onto it."""
 import os
 import sys
 

@@ -1,4 +1,4 @@
-# roles.sh - which surface stands for which of the paper's, and from where it is looked at.
+# roles.sh - the mesh, title, view and corners for each surface of the paper.
 
 real=no
 [ ! -d "$meshes" ] || real=yes

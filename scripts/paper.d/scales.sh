@@ -2,7 +2,7 @@
 
 scales=0,0.2,0.5,1,2,5
 
-# multi ROLE: $w/ROLE-scales.lhg, a surface for each of $scales, and what is measured of them:
+# multi ROLE: $w/ROLE-scales.lhg, a surface for each of $scales, and its measures:
 # the bending energy and the distances in percent, and the share of coefficients kept.
 multi() {
 	lhfft -v -K $scales "$w/$1-lh.lhg" -o "$w/$1-f.lhg" 2>"$w/$1.kept" || die "$(tail -n 1 "$w/$1.kept")"
@@ -17,7 +17,7 @@ multi() {
 	column "$1-scales" self_intersections_b >"$w/$1.self"
 }
 
-# kept ROLE: percent of the coefficients of both fields, from what lhfft -v said.
+# kept ROLE: percent of the coefficients of both fields, from the notes of lhfft -v.
 kept() {
 	awk '/ of lambda kept/ { a = $3; n = $5 } / of lambda H kept/ { printf "%.3g ", 100*(a + $3)/(n + $5) }' "$w/$1.kept"
 }
