@@ -149,7 +149,7 @@ main(int argc, char *argv[])
 	cmd_open(&in, argv[optind]);
 	while (cmd_read(&in, &g)) {
 		convert(&in, &g, curvature, lattice, residual);
-		cmd_write(&g);
+		cmd_pass(&in, &g);
 		lhg_free(&g);
 	}
 	return cmd_end();

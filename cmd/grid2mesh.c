@@ -18,8 +18,9 @@ static const char text[] =
 "  -o, --output=FILE  write FILE, by its end {ends} [{stdout} to stdout]; a\n"
 "                     stream of several grids needs a number in FILE, as frame-%03d.off,\n"
 "                     from 1; each file is complete or not there\n"
+"      --no-history   for a script that gives it to every command: meshes have no history\n"
 "  -q, --quiet        no notes on stderr\n"
-"  -v, --verbose      more words on stderr\n"
+"  -v, --verbose      more details on stderr\n"
 "  -h, --help         print this text\n"
 "      --version      print the version\n";
 

@@ -142,7 +142,7 @@ main(int argc, char *argv[])
 		if (chained)
 			follow(&before, &g);
 		phi = convert(&in, &g, method, chained, &o);
-		cmd_write(&g);
+		cmd_pass(&in, &g);
 		if (chained)
 			follow_keep(&before, &g, phi);
 		else

@@ -72,7 +72,7 @@ static void
 write_scales(const CmdInput *in, Lhg *g, const Scales *s)
 {
 	double *lambda = cmd_need(in, g, "lambda", LHG_GRID), *H = cmd_need(in, g, "H", LHG_GRID);
-	size_t n = (size_t)g->nu*g->nv, past = g->hist ? strlen(g->hist) : 0;
+	size_t n = (size_t)g->nu*g->nv;
 	double *was = cmd_alloc(2*n, sizeof *was);
 	int k;
 
@@ -85,7 +85,6 @@ write_scales(const CmdInput *in, Lhg *g, const Scales *s)
 			cmd_meta(g, s->option, "%.10g", s->bound[k]);
 		scales_apply(s, k, in, g);
 		cmd_write(g);
-		g->hist[past] = '\0';                   /* every frame has one step more than g */
 		memcpy(lambda, was, n*sizeof *was);
 		memcpy(H, was + n, n*sizeof *was);
 	}
@@ -136,7 +135,7 @@ main(int argc, char *argv[])
 	} else
 		while (cmd_read(&in, &g)) {
 			scales_apply(&s, 0, &in, &g);
-			cmd_write(&g);
+			cmd_pass(&in, &g);
 			lhg_free(&g);
 		}
 	return cmd_end();

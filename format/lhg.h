@@ -19,12 +19,13 @@
 enum {
 	LHG_EIO    = -1,        /* read or write failed; errno says why */
 	LHG_ENOMEM = -2,
-	LHG_EMAGIC = -3,        /* input is empty, not .lhg at all, or of another version */
+	LHG_EMAGIC = -3,        /* input is empty, of another version, or its line ends were changed */
 	LHG_EHEAD  = -4,        /* header malformed, or its CRC is wrong */
 	LHG_ESHORT = -5,        /* input ends inside a grid, or before the last frame */
 	LHG_EDATA  = -6,        /* a channel's CRC, its padding, the end mark or what follows is wrong */
 	LHG_EVALUE = -7,        /* a sample is NaN or infinite */
 	LHG_ELIMIT = -8,        /* a size, count, name or text outside the limits of LHG.md */
+	LHG_EFOREIGN = -10,     /* input is not .lhg at all */
 	LHG_EORDER = -9         /* a frame missing, doubled, out of order or of another stream */
 };
 
@@ -69,7 +70,7 @@ typedef struct LhgStream {
 	int       frame, frames;        /* of the last grid that passed; 0 0 before */
 	uint32_t  crc;                  /* of the last grid that passed; see LHG.md, frame */
 	long      grids;                /* that have passed */
-	int       ahead;                /* reader: the magic of the next grid is taken already */
+	int       ahead;                /* line 1 of the next header is read or written already */
 	char      err[256];
 } LhgStream;
 
@@ -116,6 +117,10 @@ const char *lhg_getmeta(const Lhg *g, const char *key, char *value, size_t n);
  * ends in "...", an empty one becomes "?".  Returns 0 or LHG_ENOMEM. */
 int lhg_note(Lhg *g, const char *step);
 
+/* The length of the character that the n > 0 bytes at p begin with, 0 if it is a control character or
+ * not UTF-8: one that LHG.md allows in metadata and history. */
+size_t lhg_utf8(const char *p, size_t n);
+
 /* Read from or write to f, which stays the caller's. */
 void lhg_open(LhgStream *s, FILE *f);
 
@@ -138,5 +143,10 @@ int lhg_read(LhgStream *s, Lhg *g);
  * byte goes out; g->frame must follow the grid written before.  Returns 0 or a
  * negative code; after LHG_EIO the stream is to be given up. */
 int lhg_write(LhgStream *s, const Lhg *g);
+
+/* Between two sets: write line 1 of the header of the next grid now, which lhg_write then leaves out.
+ * A writer that fails, or is killed, before that grid is complete has not written a stream that looks
+ * complete.  Returns 0 or LHG_EIO. */
+int lhg_begin_next(LhgStream *s);
 
 #endif

@@ -7,6 +7,7 @@
 /* ---- lhgio.c ---- */
 
 enum {
+	LHG_MAGICLEN = sizeof LHG_MAGIC - 1,
 	LHG_ALIGN = 64,         /* every part of a grid starts at a multiple of this */
 	LHG_BLOCK = 8192        /* samples read or written at a time, 64 KiB */
 };
@@ -36,10 +37,6 @@ void lhg_passed(LhgStream *s, const Lhg *g, uint32_t crc);
 
 /* The n bytes at p are 1 .. size-1 letters, digits and . _ + - or of those in extra. */
 int lhg_goodname(const char *p, size_t n, size_t size, const char *extra);
-
-/* The n > 0 bytes at p begin with a character of UTF-8 that is no control character:
- * its length, else 0. */
-size_t lhg_utf8(const char *p, size_t n);
 
 /* The n bytes at p are as LHG.md 2.3 wants a value or a text. */
 int lhg_goodtext(const char *p, size_t n);

@@ -10,7 +10,6 @@
 enum { FIRST = 131072 };        /* samples to make room for before any is there, 1 MiB */
 
 static const char MAGIC[] = LHG_MAGIC;
-enum { MAGICLEN = sizeof MAGIC - 1 };
 
 /* As many of n bytes as there are; a signal does not count as an error. */
 static size_t
@@ -28,7 +27,7 @@ take(FILE *f, void *to, size_t n)
 static int
 readmagic(LhgStream *s, const Lhg *g)
 {
-	char b[MAGICLEN];
+	char b[LHG_MAGICLEN];
 	size_t n = take(s->f, b, sizeof b);
 
 	if (n < sizeof b && ferror(s->f))
@@ -43,7 +42,7 @@ readmagic(LhgStream *s, const Lhg *g)
 		return lhg_fail(s, g, LHG_EMAGIC, "input is an lhg stream whose line ends were changed");
 	if (n == sizeof b && memcmp(b, MAGIC, 4) == 0)
 		return lhg_fail(s, g, LHG_EMAGIC, "input is not version 1 of lhg");
-	return lhg_fail(s, g, LHG_EMAGIC, "input is not an lhg stream");
+	return lhg_fail(s, g, LHG_EFOREIGN, "input is not an lhg stream");
 }
 
 static int
@@ -64,8 +63,8 @@ takehead(LhgStream *s, const Lhg *g, char h[LHG_MAXHEAD + 1], size_t *n)
 	char *line = h, *lf = NULL;
 	size_t want, got;
 
-	memcpy(h, MAGIC, MAGICLEN);
-	for (*n = MAGICLEN; *n < LHG_MAXHEAD;) {
+	memcpy(h, MAGIC, LHG_MAGICLEN);
+	for (*n = LHG_MAGICLEN; *n < LHG_MAXHEAD;) {
 		want = LHG_ALIGN - *n % LHG_ALIGN;
 		*n += got = take(s->f, h + *n, want);
 		h[*n] = '\0';

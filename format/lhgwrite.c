@@ -60,11 +60,22 @@ writechannel(FILE *f, const LhgChannel *c, uint32_t *crc)
 }
 
 int
+lhg_begin_next(LhgStream *s)
+{
+	Lhg next = { .frames = 1 };
+
+	if (give(s->f, LHG_MAGIC, LHG_MAGICLEN) || fflush(s->f) == EOF)
+		return lhg_failio(s, &next, "write");
+	s->ahead = 1;
+	return 0;
+}
+
+int
 lhg_write(LhgStream *s, const Lhg *g)
 {
 	char h[LHG_MAXHEAD + 1];
 	uint32_t crc;
-	size_t n;
+	size_t n, written = s->ahead ? LHG_MAGICLEN : 0;
 	int c, e;
 
 	if ((e = lhg_check(s, g)) != 0 || (e = lhg_checkorder(s, g)) != 0 || (e = checkfinite(s, g)) != 0)
@@ -72,7 +83,8 @@ lhg_write(LhgStream *s, const Lhg *g)
 	if ((n = lhg_puthead(h, g, lhg_lastcrc(s))) == 0)
 		return lhg_fail(s, g, LHG_ELIMIT, "header is longer than %d bytes", LHG_MAXHEAD);
 	crc = lhg_headcrc(h, n);
-	e = give(s->f, h, n);
+	e = give(s->f, h + written, n - written);
+	s->ahead = 0;
 	for (c = 0; !e && c < g->nchan; c++)
 		e = writechannel(s->f, &g->chan[c], &crc);
 	if (e || give(s->f, lhg_end, sizeof lhg_end) || fflush(s->f) == EOF)

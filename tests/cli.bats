@@ -67,6 +67,14 @@ setup_file() {
 	try 2 'need one %d'                         /dev/null grid2mesh -o "$tmp/%d%d.off"
 }
 
+@test "control bytes of an option or an operand do not reach the terminal" {
+	for c in $commands; do
+		try 2 'option --x\?\[2Jy' /dev/null $c $'--x\e[2Jy'
+		run ! grep -q $'\e' "$tmp/err"
+	done
+	try 2 'operand t\?o is one too many' /dev/null grid2lh one $'t\no'
+}
+
 @test "operands too many or too few exit 2" {
 	for c in mesh2rect grid2lh lh2grid grid2mesh; do
 		try 2 'operand two is one too many' /dev/null $c one two
@@ -86,14 +94,14 @@ setup_file() {
 		try 1 'stdin: empty input'               /dev/null $c
 	done
 	for c in grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo; do
-		try 1 'stdin: .*not an lhg'              "$tmp/cap.off" $c
+		try 1 'stdin: input is not an lhg stream .mesh2rect makes one of a mesh.$' "$tmp/cap.off" $c
 	done
 	try 1 'stdin: .*lhg'                             "$tmp/phi" mesh2rect
-	try 1 'stdin: no channel x'                      "$tmp/lh" grid2lh
-	try 1 'stdin: no channel x'                      "$tmp/lh" grid2mesh
-	try 1 'stdin: no channel lambda'                 "$tmp/phi" lhfft -K 1
-	try 1 'stdin: no channel lambda'                 "$tmp/phi" lh2grid
-	try 1 'no channel lambda'                        /dev/null lhinterp -t 0 "$tmp/phi" "$tmp/phi"
+	try 1 'stdin: no channel x .lh2grid makes it.$'  "$tmp/lh" grid2lh
+	try 1 'stdin: no channel x .lh2grid makes it.$'  "$tmp/lh" grid2mesh
+	try 1 'stdin: no channel lambda .grid2lh makes it.$' "$tmp/phi" lhfft -K 1
+	try 1 'stdin: no channel lambda .grid2lh makes it.$' "$tmp/phi" lh2grid
+	try 1 'no channel lambda .grid2lh makes it.$'                        /dev/null lhinterp -t 0 "$tmp/phi" "$tmp/phi"
 	try 1 'has 17 x 17 nodes, .* has 17 x 21'        /dev/null lhinterp -t 0 "$tmp/lh" "$tmp/other.lh"
 	try 1 'has a channel start.x, .* has none'       /dev/null lhinterp -t 0 "$tmp/lh" "$tmp/nostart.lh"
 	try 1 'has a channel start.x, .* has none'       /dev/null lhinterp -t 0 "$tmp/nostart.lh" "$tmp/lh"
@@ -225,4 +233,57 @@ tunables() {
 		grid, = map(json.loads, open(sys.argv[1], encoding='utf-8'))
 		assert grid['meta']['said'] == 'a "b" c\\d \u00e9'
 	END
+}
+
+@test "the history is text that a shell runs again: quotes, controls, dashes, the version" {
+	local f odd
+	mkdir "$tmp/odd"
+	cd "$tmp/odd"
+	for odd in "it's.off" 'a b' '$HOME`x`\.off' $'new\nline\t\e.off' $'caf\xc3\xa9 \xff\x85\'\\' '-n.off' '~' '#'; do
+		cp "$tmp/cap.off" "./$odd"
+		mesh2rect -q -n 8 -- "$odd" >first
+		grep -a '^history ' first | cut -c 9- >step
+		grep -q '  # lhgrid [0-9.]*$' step
+		[ "$(wc -l <step)" = 1 ]
+		bash step | cmp first
+		[ "${odd:0:1}" != - ] || grep -q -- ' -- ' step
+	done
+	mesh2rect -q -n 8 "it's.off" | sed -n 's/^history //p' >step
+	echo "mesh2rect --cells=8 'it'\\''s.off'  # lhgrid $(mesh2rect --version | cut -d' ' -f3)" | cmp - step
+	# a step too long ends after a word
+	lhinterp -q -t "0$(printf ',0.%0500d' $(seq 9))" "$tmp/lh" "$tmp/lh" | sed -n '/^history lhinterp/{p;q}' >step
+	grep -q '^history lhinterp ...  # lhgrid [0-9.]*$' step
+}
+
+@test "--no-history leaves this step and the earlier ones out; nothing else changes" {
+	for c in "grid2lh $tmp/phi" "lhfft -K 1 $tmp/lh" "lhfft -K 1,2 $tmp/lh" "lh2grid $tmp/lh" "lhinterp -q -n 2 $tmp/lh $tmp/lh" \
+	    "mesh2rect -n 8 $tmp/cap.off"; do
+		$c | lhinfo >"$tmp/with"
+		$c --no-history | lhinfo >"$tmp/without"
+		grep -q '^  history ' "$tmp/with"
+		grep -v '^  history ' "$tmp/with" | cmp "$tmp/without"
+	done
+	for c in "grid2mesh $tmp/phi" "lhinfo $tmp/phi" "lhdiff $tmp/phi $tmp/phi" "mkmesh -n 60 cap"; do
+		cmp <($c) <($c --no-history)
+	done
+}
+
+@test "a running mean of 150 steps keeps a history that fits; equal input gives equal bytes" {
+	local i was
+	cp "$tmp/lh" "$tmp/mean"
+	for i in $(seq 2 150); do
+		lhinterp -q -t 0.5 "$tmp/mean" "$tmp/lh" -o "$tmp/next"
+		[ $i != 149 ] || cp "$tmp/mean" "$tmp/before"
+		mv "$tmp/next" "$tmp/mean"
+	done
+	lhinterp -q -t 0.5 "$tmp/before" "$tmp/lh" >"$tmp/a"
+	lhinterp -q -t 0.5 "$tmp/before" "$tmp/lh" | cmp "$tmp/a"
+	lhinfo "$tmp/mean" | sed -n 's/^  history //p' >"$tmp/steps"
+	[ "$(wc -c <"$tmp/steps")" -le 16384 ]
+	[ "$(wc -c <"$tmp/steps")" -gt 14000 ]
+	[ "$(grep -c 'earlier steps' "$tmp/steps")" = 1 ]
+	# 2 steps of the grid, and 3 more with each mean: none is lost from the count
+	head -1 "$tmp/steps" | grep -qE '^# earlier steps: [0-9]+, CRC-32 [0-9a-f]{8}$'
+	[ $(($(head -1 "$tmp/steps" | tr -dc '0-9 ,' | cut -d, -f1) + $(wc -l <"$tmp/steps") - 1)) = $((2 + 149*3)) ]
+	tail -1 "$tmp/steps" | grep -q '^lhinterp --at=0.5 '
 }

@@ -31,7 +31,7 @@ load helper
 	mesh2rect -n 8 "$tmp/folder/smooth/torus.ply" >/dev/null
 	touch "$tmp/folder/scans/cap.ply"
 	make -C "$tmp/folder" >"$tmp/said"
-	! grep -q torus "$tmp/said"
+	run ! grep -q torus "$tmp/said"
 	grep -q 'cap' "$tmp/said"
 }
 

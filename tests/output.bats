@@ -48,6 +48,58 @@ setup_file() {
 	cmp "$tmp/g/real" <(mesh2rect -n 8 "$tmp/cap.off")
 }
 
+@test "-o through a dangling link, also a relative one of another folder, makes the file it names" {
+	mkdir "$tmp/k" "$tmp/k/far"
+	ln -s far/real "$tmp/k/link"
+	ln -s ../k/link "$tmp/k/second"
+	mkmesh -n 60 cap -o "$tmp/k/second.off"
+	ln -s ../absent.off "$tmp/k/far/back.off"
+	mkmesh -n 60 cap -o "$tmp/k/far/back.off"
+	[ -L "$tmp/k/far/back.off" ]
+	cmp "$tmp/k/absent.off" "$tmp/k/second.off"
+	mesh2rect -n 8 "$tmp/cap.off" -o "$tmp/k/second"
+	[ -L "$tmp/k/second" ] && [ -L "$tmp/k/link" ] && [ ! -L "$tmp/k/far/real" ]
+	lhinfo "$tmp/k/far/real" >/dev/null
+	ln -s loop "$tmp/k/loop"
+	try 1 'Too many levels' /dev/null grid2lh "$tmp/phi" -o "$tmp/k/loop"
+}
+
+@test "a file that is replaced keeps its mode, owner and group; a new one has what umask gives" {
+	local f
+	mkdir "$tmp/m"
+	cd "$tmp/m"
+	lhinterp -n 2 "$tmp/lh" "$tmp/lh" | lh2grid -o "$tmp/pair.phi"
+	for f in o uv.ply table frame-1.off; do
+		echo old >$f
+		chmod 600 $f
+	done
+	if [ "$(id -u)" = 0 ]; then
+		chown 1234:2345 o
+		chmod 2640 o
+	fi
+	umask 027
+	mesh2rect -n 16 --uv=uv.ply "$tmp/cap.off" -o o
+	lhfft -K 1 --spectrum=table "$tmp/lh" >/dev/null
+	grid2mesh "$tmp/pair.phi" -o frame-%d.off
+	mkmesh -n 60 cap -o fresh.off
+	[ "$(stat -c %a uv.ply table frame-1.off frame-2.off fresh.off | xargs)" = '600 600 600 640 640' ]
+	if [ "$(id -u)" = 0 ]; then
+		[ "$(stat -c %a:%u:%g o)" = 640:1234:2345 ]
+	else
+		[ "$(stat -c %a o)" = 600 ]
+	fi
+}
+
+@test "-o takes a name as long as the file system does" {
+	local n
+	mkdir "$tmp/n"
+	for n in 240 247 248 255; do
+		mkmesh -n 60 cap -o "$tmp/n/$(printf "%0$((n - 4))d" 0).off"
+	done
+	[ "$(ls -A "$tmp/n" | wc -l)" = 4 ]
+	try 1 'File name too long' /dev/null mkmesh -n 60 cap -o "$tmp/n/$(printf '%0252d' 0).off"
+}
+
 @test "-o where nothing can be written is an error of one line" {
 	try 1 'No such file or directory' "$tmp/cap.off" mesh2rect -n 8 -o "$tmp/nodir/x"
 	try 1 'Is a directory'            "$tmp/cap.off" mesh2rect -n 8 -o "$tmp"

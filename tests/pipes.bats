@@ -93,3 +93,27 @@ input() {
 	broken "mesh2rect nosuch | $(joined 1 4)"
 	broken "mesh2rect -n 8 cap.off | $(joined 2 4)"
 }
+
+@test "a stream of two sets whose second is damaged or cut, or whose stage is killed there, fails to the end" {
+	local size=$(wc -c <"$tmp/phi") i n
+	mesh2rect -n 8 "$tmp/cap.off" | cat "$tmp/phi" - >"$tmp/sets"
+	grid2lh "$tmp/sets" | lhfft -K 1 | lh2grid --keyframes=2 | lhinfo >/dev/null
+	grid2lh --no-history "$tmp/sets" | cmp - <(grid2lh --no-history "$tmp/phi"; mesh2rect -n 8 "$tmp/cap.off" | grid2lh --no-history)
+	{ cat "$tmp/phi"; head -c 1000 "$tmp/phi"; echo damaged; tail -c +1009 "$tmp/phi"; } >"$tmp/sets.bad"
+	for n in 6 7 1000 $((size - 1)); do
+		head -c $((size + n)) "$tmp/sets" >"$tmp/cut"
+		broken 'grid2lh cut | lhfft -K 1 | lh2grid | lhinfo'
+	done
+	broken 'grid2lh sets.bad | lhfft -K 1 | lh2grid | lhinfo'
+	broken 'grid2lh sets.bad | lhfft -K 1 | lh2grid --keyframes=2 | lhinfo'
+	# a stage that is killed after its first set
+	lhfft -K 1 < <(cat "$tmp/lh"; head -c 6 "$tmp/lh"; sleep 3) >"$tmp/killed" &
+	for i in $(seq 50); do
+		[ -s "$tmp/killed" ] && break
+		sleep 0.05
+	done
+	kill -9 $!
+	wait $! || true
+	[ -s "$tmp/killed" ]
+	broken 'lhinfo killed'
+}

@@ -409,8 +409,8 @@ messages(void **state)
 
 	(void)state;
 	fails(text(""), LHG_EMAGIC, "empty input");
-	fails(text("solid ascii"), LHG_EMAGIC, "input is not an lhg stream");
-	fails(text("\x1b[2J"), LHG_EMAGIC, "input is not an lhg stream");
+	fails(text("solid ascii"), LHG_EFOREIGN, "input is not an lhg stream");
+	fails(text("\x1b[2J"), LHG_EFOREIGN, "input is not an lhg stream");
 	fails(text("lhg 2\n"), LHG_EMAGIC, "input is not version 1 of lhg");
 	fails(text("lhg 1\r\n"), LHG_EMAGIC, "input is an lhg stream whose line ends were changed");
 	fails(text("lhg 1"), LHG_ESHORT, "input ends in line 1 of a header");

@@ -72,7 +72,7 @@ keyframes(CmdInput *in, int every, const SurfaceFit *o, KeyframesConvert *conver
 		for (i = 0; i < n; i++) {
 			if (i < n - 1)
 				convert_between(in, &g[i], &last, &next, (i + 1.0)/n, *o, convert);
-			cmd_write(&g[i]);
+			cmd_pass(in, &g[i]);
 			lhg_free(&g[i]);
 		}
 		free(last.detail);

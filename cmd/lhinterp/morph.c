@@ -5,8 +5,8 @@
 
 #include "../../lib/morph/blend.h"
 #include "../shared/borderread.h"
-#include "history.h"
 #include "landfile.h"
+#include "merge.h"
 #include "morph.h"
 #include "positions.h"
 #include "quarters.h"
@@ -117,7 +117,7 @@ morph_at(const Morph *m, double t, int k, int n, Lhg *g)
 	}
 	if (m->landmarks && t > 0 && t < 1)
 		follow_landmarks(m, t, g);
-	history_merge(&m->a, &m->b, g);
+	merge_text(&m->a, &m->b, g);
 	cmd_meta(g, "t", "%.10g", t);
 	g->frame = k;
 	g->frames = n;

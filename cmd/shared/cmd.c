@@ -1,24 +1,16 @@
-/* cmd.c - messages and options, the same for every command. */
+/* cmd.c - beginning, end, options and operands, the same for every command. */
 #include <errno.h>
 #include <signal.h>
-#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "cmd.h"
 #include "private.h"
 
-#define VERSION "0.1"
-
 static struct {
-	const char *name, *usage;
-	const char *output;
-	int         verbose;            /* -1 quiet, 0, 1 */
-	char        step[4096];         /* the history line */
-	struct timespec began;
-	int         progress;           /* a progress line stands on the terminal */
+	const char *name, *usage, *output;
 } cmd;
 
 void
@@ -26,11 +18,11 @@ cmd_begin(const char *name, const char *usage)
 {
 	cmd.name = name;
 	cmd.usage = usage;
-	snprintf(cmd.step, sizeof cmd.step, "%s", name);
-	clock_gettime(CLOCK_MONOTONIC, &cmd.began);
+	message_begin(name);
+	history_begin(name);
 	if (descriptor_fill())
 		_exit(1);
-	signal(SIGXFSZ, SIG_IGN);       /* a file too large is an error of write */
+	signal(SIGXFSZ, SIG_IGN);       /* a file that grows too large is an error of write */
 }
 
 int
@@ -41,114 +33,10 @@ cmd_end(void)
 	return 0;
 }
 
-/* Control bytes of a file or an argument must not reach the terminal. */
-static void
-say(const char *fmt, va_list ap)
-{
-	char line[1024], *s;
-
-	cmd_progress_end();
-	vsnprintf(line, sizeof line, fmt, ap);
-	for (s = line; *s; s++)
-		if ((unsigned char)*s < ' ' || *s == 0x7f)
-			*s = '?';
-	fprintf(stderr, "%s: %s\n", cmd.name, line);
-}
-
-void
-die(const char *fmt, ...)
-{
-	va_list ap;
-
-	cmd_drop_output();
-	va_start(ap, fmt);
-	say(fmt, ap);
-	va_end(ap);
-	exit(1);
-}
-
-void
-misuse(const char *fmt, ...)
-{
-	char line[900];
-	va_list ap;
-
-	va_start(ap, fmt);
-	vsnprintf(line, sizeof line, fmt, ap);
-	va_end(ap);
-	cmd_drop_output();
-	fprintf(stderr, "%s: %s (see %s --help)\n", cmd.name, line, cmd.name);
-	exit(2);
-}
-
-void
-note(const char *fmt, ...)
-{
-	va_list ap;
-
-	va_start(ap, fmt);
-	if (cmd.verbose >= 0)
-		say(fmt, ap);
-	va_end(ap);
-}
-
-void
-detail(const char *fmt, ...)
-{
-	va_list ap;
-
-	va_start(ap, fmt);
-	if (cmd.verbose > 0)
-		say(fmt, ap);
-	va_end(ap);
-}
-
-void
-cmd_progress(const char *fmt, ...)
-{
-	struct timespec now;
-	va_list ap;
-
-	clock_gettime(CLOCK_MONOTONIC, &now);
-	if (cmd.verbose < 0 || now.tv_sec - cmd.began.tv_sec < 1 || !isatty(STDERR_FILENO))
-		return;
-	fprintf(stderr, "\r%s: ", cmd.name);
-	va_start(ap, fmt);
-	vfprintf(stderr, fmt, ap);
-	va_end(ap);
-	fputs("\033[K", stderr);
-	cmd.progress = 1;
-}
-
-void
-cmd_progress_end(void)
-{
-	if (cmd.progress)
-		fputs("\r\033[K", stderr);
-	cmd.progress = 0;
-}
-
 const char *
 cmd_output(void)
 {
 	return cmd.output;
-}
-
-const char *
-cmd_step(void)
-{
-	return cmd.step;
-}
-
-/* Append one word to the history line, quoted as the shell would need it. */
-static void
-record(const char *dashes, const char *word, const char *equals, const char *value)
-{
-	static const char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=.,:/%@";
-	const char *quote = value[strspn(value, plain)] ? "'" : "";
-	size_t n = strlen(cmd.step);
-
-	snprintf(cmd.step + n, sizeof cmd.step - n, " %s%s%s%s%s%s", dashes, word, equals, quote, value, quote);
 }
 
 static const char *
@@ -192,15 +80,16 @@ cmd_getopt(int argc, char *argv[], const char *shortopt, const struct option *lo
 	while ((c = getopt_long(argc, argv, all, longopt, NULL)) != -1)
 		switch (c) {
 		case 'o': cmd.output = strcmp(optarg, "-") == 0 ? NULL : optarg; break;
-		case 'q': cmd.verbose = -1; break;
-		case 'v': cmd.verbose = 1; break;
+		case 'q': message_verbosity(-1); break;
+		case 'v': message_verbosity(1); break;
 		case 'h': fputs(cmd.usage, stdout); answered();
-		case 'V': printf("%s (lhgrid) %s\n", cmd.name, VERSION); answered();
+		case 'V': printf("%s (lhgrid) %s\n", cmd.name, CMD_VERSION); answered();
+		case CMD_NO_HISTORY: history_none(); break;
 		case ':':
 		case '?': wrong_option(argv, longopt, c);
 		default:
 			if (c < CMD_UNRECORDED)
-				record("--", longname(longopt, c), optarg ? "=" : "", optarg ? optarg : "");
+				history_word("--", longname(longopt, c), optarg ? "=" : "", optarg ? optarg : "");
 			return c;
 		}
 	return -1;
@@ -209,14 +98,18 @@ cmd_getopt(int argc, char *argv[], const char *shortopt, const struct option *lo
 int
 cmd_operands(int argc, char *argv[], int min, int max)
 {
-	int i, n = argc - optind;
+	int i, n = argc - optind, dashed = 0;
 
 	if (n < min)
 		misuse("%d operand%s missing", min - n, min - n > 1 ? "s" : "");
 	if (n > max)
 		misuse("operand %s is one too many", argv[optind + max]);
 	for (i = optind; i < argc; i++)
-		record("", "", "", argv[i]);
+		dashed |= argv[i][0] == '-' && argv[i][1];
+	if (dashed)                                     /* or a shell would read options */
+		history_word("--", "", "", "");
+	for (i = optind; i < argc; i++)
+		history_word("", "", "", argv[i]);
 	return n;
 }
 

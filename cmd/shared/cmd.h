@@ -1,8 +1,8 @@
-/* cmd.h - what every command shares: messages, options, input and output.
- * Only cmd/ may include this: it talks to a person and ends the process.
+/* cmd.h - messages, options, input and output of every command.  Only cmd/ may include this: its
+ * functions print messages and end the process.
  *
- * Exit codes: 0 the output is complete; 1 this input cannot be done, or reading,
- * writing or memory failed; 2 the command line is wrong.
+ * Exit codes: 0 the output is complete; 1 the input cannot be processed, or reading, writing or memory
+ * failed; 2 the command line is wrong.
  */
 #ifndef CMD_H
 #define CMD_H
@@ -12,60 +12,64 @@
 
 #include "../../format/lhg.h"
 
-/* Every command begins with cmd_begin(name, usage text) and ends with
- * return cmd_end(). */
+/* A command begins with cmd_begin(name, usage text) and ends with return cmd_end(). */
 void cmd_begin(const char *name, const char *usage);
-int  cmd_end(void);             /* closes what is open; 0, or dies */
+int  cmd_end(void);             /* closes the output; 0, or dies */
 
-/* "name: message" on stderr; die exits 1, misuse exits 2 and points to --help.
- * note is silent under -q, detail speaks only under -v. */
+/* "name: message" on one line of stderr, control bytes as '?'.  die exits 1; misuse exits 2 and refers
+ * to --help.  note prints nothing under -q, detail only under -v. */
 _Noreturn void die(const char *fmt, ...);
 _Noreturn void misuse(const char *fmt, ...);
 void note(const char *fmt, ...);
 void detail(const char *fmt, ...);
 
-/* Options.  cmd_getopt is getopt_long that deals with the options all commands have
- * (-o -q -v -h --version) and with mistakes by itself and returns only the command's
- * own.  End the array of long options with CMD_LONGOPT.  The history line of the
- * command is kept along the way: own options in their long form, then operands, so
- * that two ways to say the same thing leave the same bytes. */
+/* Options.  cmd_getopt is getopt_long, but handles the options that all commands have
+ * (-o -q -v -h --version --no-history) and mistakes itself, and returns only the command's own
+ * options.  The array of long options ends with CMD_LONGOPT.  cmd_getopt also records the step for the
+ * history: own options in their long form, then operands, so that a short and a long option give the
+ * same bytes. */
 #define CMD_LONGOPT \
 	{ "output",  required_argument, NULL, 'o' }, \
+	{ "no-history", no_argument,    NULL, CMD_NO_HISTORY }, \
 	{ "quiet",   no_argument,       NULL, 'q' }, \
 	{ "verbose", no_argument,       NULL, 'v' }, \
 	{ "help",    no_argument,       NULL, 'h' }, \
 	{ "version", no_argument,       NULL, 'V' }, \
 	{ NULL, 0, NULL, 0 }
 #define CMD_USAGE \
-"  -o, --output=FILE  write FILE instead of stdout; it is whole or it is not there\n" \
+"  -o, --output=FILE  write FILE instead of stdout, complete or not at all\n" \
+"      --no-history   leave this step and all earlier ones out of the history of the result\n" \
 "  -q, --quiet        no notes on stderr\n" \
-"  -v, --verbose      more words on stderr\n" \
+"  -v, --verbose      more details on stderr\n" \
 "  -h, --help         print this text\n" \
 "      --version      print the version\n"
-enum { CMD_UNRECORDED = 1000 };         /* options with such values or above change no byte of
-                                         * the result and stay out of the history */
+enum {
+	CMD_NO_HISTORY = 999,
+	CMD_UNRECORDED          /* options of this value and above change no byte of the result and are
+	                         * not recorded in the history */
+};
 int cmd_getopt(int argc, char *argv[], const char *shortopt, const struct option *longopt);
 
-/* The operands left after the options, at least min and at most max of them; records
- * them in the history line.  Operand 0 is argv[optind]. */
+/* The number of operands after the options, min .. max, or exit 2; records them for the history.
+ * Operand 0 is argv[optind]. */
 int cmd_operands(int argc, char *argv[], int min, int max);
 
-/* A number that is nothing but a number in [lo,hi], or exit 2. */
+/* The number in [lo,hi] that s spells without a tail, or exit 2. */
 double opt_double(const char *s, double lo, double hi, const char *option);
 long   opt_long(const char *s, long lo, long hi, const char *option);
 
-/* The number of s among words that each end in NUL, the last one in two, or exit 2. */
+/* The index of s in a list of words, each ended by NUL, the list by one more; or exit 2. */
 int    opt_word(const char *s, const char *words, const char *option);
 
-/* What -o said, or NULL for stdout. */
+/* The FILE of -o, NULL for stdout. */
 const char *cmd_output(void);
 
 /* The name of an input in messages: path, or "stdin" for "-" and NULL. */
 const char *cmd_name_of(const char *path);
 
-/* All bytes of a file ("-" or NULL: stdin); free them.  Dies of an input above claim_input().
- * cmd_slurp_if gives the first 64 KiB of a longer input to look, which dies if nothing good
- * can follow: an endless pipe is refused at once. */
+/* All bytes of a file ("-" or NULL: stdin), to be freed.  Dies if there are more than claim_input().
+ * cmd_slurp_if calls look with the first 64 KiB of a longer input; look dies if they begin no input of
+ * the right kind, so that an endless pipe is refused at once. */
 typedef void CmdLook(const char *name, const char *head, size_t n);
 char *cmd_slurp(const char *path, size_t *n);
 char *cmd_slurp_if(const char *path, CmdLook *look, size_t *n);
@@ -73,10 +77,9 @@ char *cmd_slurp_if(const char *path, CmdLook *look, size_t *n);
 /* Exit 2 now rather than write binary data to a terminal later. */
 void cmd_binary_output(void);
 
-/* Streams of grids.  cmd_open reads path ("-" or NULL: stdin).  cmd_read gives the
- * next grid and 1, or 0 at the end; anything else dies with the name of the input and
- * the reason; cmd_read_one dies unless the input is one grid.  cmd_write adds
- * the history line and writes to -o or stdout. */
+/* Streams of grids.  cmd_open opens path ("-" or NULL: stdin).  cmd_read returns 1 and the next grid,
+ * or 0 at the end; or dies with the name of the input and the reason.  cmd_read_one dies unless the
+ * input is one grid. */
 typedef struct CmdInput {
 	const char *name;       /* for messages: the path, or "stdin" */
 	LhgStream   s;
@@ -85,24 +88,30 @@ void cmd_open(CmdInput *in, const char *path);
 int  cmd_read(CmdInput *in, Lhg *g);
 void cmd_read_one(CmdInput *in, Lhg *g);
 
-/* Open path as cmd_open does and return 1, if its first bytes are those of a stream of
- * grids; else return 0 and all its bytes, to be freed, as cmd_slurp_if. */
+/* If the first bytes of path are those of a stream of grids, open it as cmd_open does and return 1;
+ * else return 0 and all its bytes as cmd_slurp_if does. */
 int  cmd_open_or_slurp(CmdInput *in, const char *path, CmdLook *look, char **bytes, size_t *n);
 
+/* Write g to -o or stdout, the step of this command added to its history.  cmd_pass is for a stage that
+ * writes one grid for each grid of in: after the last frame of a set, if in goes on, it also begins
+ * the next header, so that the output is incomplete if this stage then fails or is killed. */
 void cmd_write(Lhg *g);
+void cmd_pass(const CmdInput *in, Lhg *g);
 
-/* Write bytes (not a grid) to path, or to -o or stdout when path is NULL. */
+/* Write bytes (not a grid) to path, or to -o or stdout if path is NULL.  One output is open at a
+ * time. */
 void cmd_emit(const char *path, const void *bytes, size_t n);
 
-/* A channel that must be there with that support, or die. */
+/* The samples of a channel that must have that support, or die; the message names the command that
+ * makes the channel.  cmd_add appends a channel of zeros, or dies. */
 double *cmd_need(const CmdInput *in, const Lhg *g, const char *name, int support);
 double *cmd_add(Lhg *g, const char *name, const char *unit, int support, int step);
 
-/* Set a datum of the metadata, as printf would write it. */
+/* Set the value of key in the metadata; fmt as printf's. */
 void cmd_meta(Lhg *g, const char *key, const char *fmt, ...);
 
-/* Text written to f, which is bytes[0..n-1] once it is closed; free them.  Both die without
- * memory: open_memstream forgets what it had no memory for. */
+/* A stream f in memory: bytes[0..n-1], to be freed, after cmd_text_close.  Both functions die without
+ * memory, where open_memstream would lose bytes. */
 typedef struct CmdText {
 	FILE  *f;
 	char  *bytes;
@@ -111,11 +120,11 @@ typedef struct CmdText {
 void cmd_text_open(CmdText *t);
 void cmd_text_close(CmdText *t);
 
-/* malloc or die, saying how much was wanted. */
+/* malloc, or die with the size. */
 void *cmd_alloc(size_t n, size_t size);
 
-/* A line on stderr that replaces itself, shown only on a terminal, without -q, and when
- * the work has taken longer than a second.  cmd_done_progress wipes it. */
+/* A line on stderr that replaces itself, only on a terminal, without -q, and once the command has run
+ * for a second.  cmd_progress_end wipes it. */
 void cmd_progress(const char *fmt, ...);
 void cmd_progress_end(void);
 

@@ -1,19 +1,50 @@
-/* private.h - between cmd.c, io.c and descriptor.c. */
+/* private.h - between the files of cmd/shared; not for the commands. */
 #ifndef CMD_PRIVATE_H
 #define CMD_PRIVATE_H
 
 #include <stdio.h>
 
-const char *cmd_step(void);     /* the history line of this command */
-void cmd_close_output(void);    /* finish -o FILE or stdout, or die */
-void cmd_drop_output(void);     /* remove what is half written */
+#define CMD_VERSION "0.1"
 
-/* A stream over fd, which fclose closes; NULL without memory.  Calls that a signal
- * interrupts, that would block or that move a part go on. */
+/* ---- message.c ---- */
+
+/* The name before every message; the clock of cmd_progress starts. */
+void message_begin(const char *name);
+
+/* -1 silences notes and progress, 1 shows details. */
+void message_verbosity(int verbose);
+
+/* ---- history.c: the step of this command ---- */
+
+void history_begin(const char *name);
+
+/* Adds a word: dashes, word and equals as they are, value quoted for a shell.  An empty value is
+ * quoted only where it is an operand.  A step of more than 3600 bytes ends in " ..." after the last word that
+ * fits. */
+void history_word(const char *dashes, const char *word, const char *equals, const char *value);
+
+/* --no-history. */
+void history_none(void);
+
+/* The history of a result: the steps past (or NULL) and the step of this command, to be freed;
+ * NULL with --no-history.  The oldest steps of a history of more than 16384 bytes are summarised in one
+ * line, LHG.md 2.4. */
+char *history_with_step(const char *past);
+
+/* ---- output.c ---- */
+
+void cmd_close_output(void);    /* finish -o FILE or stdout, or die */
+void cmd_drop_output(void);     /* remove an incomplete file */
+
+/* ---- descriptor.c ---- */
+
+/* A stream over fd, which fclose closes; NULL without memory.  Calls that a signal interrupts, that
+ * would block, or that move only a part are continued. */
 FILE *descriptor_stream(int fd, const char *mode);
 
-/* Put something in the places of stdin, stdout and stderr where they are closed: the first
- * two then fail when they are used, stderr is lost.  Returns 0 or -1. */
+/* Opens /dev/null in the places of stdin, stdout and stderr where they are closed, so that no file
+ * opened later gets their numbers.  The first two then fail when they are used; stderr is lost.
+ * Returns 0 or -1. */
 int descriptor_fill(void);
 
 #endif

@@ -1,9 +1,9 @@
-/* history.c - the past of a grid that has two parents. */
+/* merge.c - metadata and history of a grid that is made of two. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "../shared/cmd.h"
-#include "history.h"
+#include "merge.h"
 
 /* Calls use for each line of s, without its newline. */
 static void
@@ -20,6 +20,7 @@ each_line(const char *s, void (*use)(char *line, const void *ctx, Lhg *g), const
 	free(copy);
 }
 
+/* A step of a parent, behind its mark. */
 static void
 add_step(char *line, const void *mark, Lhg *g)
 {
@@ -32,21 +33,22 @@ add_step(char *line, const void *mark, Lhg *g)
 	free(step);
 }
 
+/* A datum "key value", if other has the same value. */
 static void
 add_equal(char *line, const void *other, Lhg *g)
 {
-	char *value = strchr(line, ' '), *theirs = cmd_alloc(strlen(line) + 2, 1);
+	char *value = strchr(line, ' '), *its = cmd_alloc(strlen(line) + 2, 1);
 
 	if (value) {
 		*value++ = '\0';
-		if (lhg_getmeta(other, line, theirs, strlen(value) + 2) && strcmp(theirs, value) == 0)
+		if (lhg_getmeta(other, line, its, strlen(value) + 2) && strcmp(its, value) == 0)
 			cmd_meta(g, line, "%s", value);
 	}
-	free(theirs);
+	free(its);
 }
 
 void
-history_merge(const Lhg *a, const Lhg *b, Lhg *g)
+merge_text(const Lhg *a, const Lhg *b, Lhg *g)
 {
 	each_line(a->meta, add_equal, b, g);
 	each_line(a->hist, add_step, "A", g);

@@ -1,0 +1,64 @@
+/* channel.c - channels and metadata of a grid, or one line that says what is missing. */
+#include <stdarg.h>
+#include <string.h>
+
+#include "cmd.h"
+
+/* The command that makes a channel, for somebody who ran the stages in the wrong order. */
+static const struct {
+	const char *channel, *command;
+} MAKER[] = {
+	{ "x", "lh2grid" },           { "y", "lh2grid" },           { "z", "lh2grid" },
+	{ "lambda", "grid2lh" },      { "H", "grid2lh" },
+	{ "band.x", "grid2lh" },      { "band.y", "grid2lh" },      { "band.z", "grid2lh" },
+	{ "start.x", "grid2lh" },     { "start.y", "grid2lh" },     { "start.z", "grid2lh" },
+	{ "nu1", "grid2lh --residual" },  { "nu2", "grid2lh --residual" },
+	{ "tau1", "grid2lh --residual" }, { "tau2", "grid2lh --residual" }
+};
+
+static _Noreturn void
+missing(const CmdInput *in, const char *name)
+{
+	size_t i;
+
+	for (i = 0; i < sizeof MAKER/sizeof *MAKER; i++)
+		if (strcmp(name, MAKER[i].channel) == 0)
+			die("%s: no channel %s (%s makes it)", in->name, name, MAKER[i].command);
+	die("%s: no channel %s", in->name, name);
+}
+
+double *
+cmd_need(const CmdInput *in, const Lhg *g, const char *name, int support)
+{
+	static const char *const word[] = { "grid", "border", "lattice" };
+	LhgChannel *c = lhg_find(g, name);
+
+	if (!c)
+		missing(in, name);
+	if (c->support != support)
+		die("%s: channel %s has support %s, need %s", in->name, name, word[c->support], word[support]);
+	return c->f;
+}
+
+double *
+cmd_add(Lhg *g, const char *name, const char *unit, int support, int step)
+{
+	double *f = lhg_add(g, name, unit, support, step);
+
+	if (!f)
+		die("no memory or no room for channel %s", name);
+	return f;
+}
+
+void
+cmd_meta(Lhg *g, const char *key, const char *fmt, ...)
+{
+	char value[256];
+	va_list ap;
+
+	va_start(ap, fmt);
+	vsnprintf(value, sizeof value, fmt, ap);
+	va_end(ap);
+	if (lhg_setmeta(g, key, value))
+		die("no memory for the metadata");
+}

@@ -1,0 +1,178 @@
+/* history.c - the step that a command adds to the history of its results, as text for a shell. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <zlib.h>
+
+#include "cmd.h"
+#include "private.h"
+
+enum {
+	STEP = 3600,            /* bytes of a step: 400 less than a line, for the marks of merges */
+	MOST = 16384,           /* bytes of a history, a quarter of a header */
+	SUMMARYLEN = 64         /* bytes of a summary, at most */
+};
+
+static const char END[] = "  # lhgrid " CMD_VERSION, CUT[] = " ...", SUMMARY[] = "# earlier steps: ";
+
+static struct {
+	char text[STEP + 1];
+	int  cut;               /* a word did not fit, so no more follow */
+	int  none;              /* results have no history */
+} step;
+
+/* One line of a history. */
+typedef struct Line {
+	const char *s;
+	size_t n;               /* bytes, with the LF */
+	int    age;             /* merges it has been through: the marks before it */
+} Line;
+
+void
+history_begin(const char *name)
+{
+	snprintf(step.text, sizeof step.text, "%s", name);
+}
+
+void
+history_none(void)
+{
+	step.none = 1;
+}
+
+/* value in the quotes that a shell needs, in out, of 4 bytes for each of value's and 4 more.  Control
+ * characters and bytes that are not UTF-8 are written \ooo in $'..'. */
+static void
+quote(const char *value, char *out)
+{
+	static const char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=.,:/%@";
+	size_t n = strlen(value), i, len;
+	int escaped = 0;
+
+	for (i = 0; i < n && !escaped; i += len)
+		escaped = !(len = lhg_utf8(value + i, n - i));
+	if (n && !value[strspn(value, plain)]) {
+		strcpy(out, value);
+		return;
+	}
+	out += sprintf(out, escaped ? "$'" : "'");
+	for (i = 0; i < n; i += len ? len : 1)
+		if (!(len = lhg_utf8(value + i, n - i)))
+			out += sprintf(out, "\\%03o", (unsigned char)value[i]);
+		else if (value[i] == '\'' || (escaped && value[i] == '\\'))
+			out += sprintf(out, escaped ? "\\%c" : "'\\%c'", value[i]);
+		else
+			out += sprintf(out, "%.*s", (int)len, value + i);
+	strcpy(out, "'");
+}
+
+void
+history_word(const char *dashes, const char *word, const char *equals, const char *value)
+{
+	char *quoted = cmd_alloc(strlen(value) + 1, 4);
+	size_t n = strlen(step.text), room = STEP - strlen(CUT) - strlen(END) - n;
+
+	quoted[0] = '\0';
+	if (*value || !(*dashes || *word))
+		quote(value, quoted);
+	if (step.cut || 1 + strlen(dashes) + strlen(word) + strlen(equals) + strlen(quoted) > room)
+		step.cut = 1;
+	else
+		sprintf(step.text + n, " %s%s%s%s", dashes, word, equals, quoted);
+	free(quoted);
+}
+
+/* Whether a line is a summary, behind any number of marks; *counted: the steps it stands for. */
+static int
+is_summary(const Line *l, unsigned long *counted)
+{
+	const char *s = l->s + 3*l->age;
+
+	*counted = 1;
+	if (strncmp(s, SUMMARY, strlen(SUMMARY)) != 0)
+		return 0;
+	*counted = strtoul(s + strlen(SUMMARY), NULL, 10);
+	return 1;
+}
+
+/* The lines of text, in *n lines to be freed. */
+static Line *
+split(const char *text, size_t *n)
+{
+	size_t most = 0, i;
+	const char *s;
+	Line *l;
+
+	for (s = text; *s; s++)
+		most += *s == '\n';
+	l = cmd_alloc(most, sizeof *l);
+	for (s = text, *n = 0; *n < most; s += l[(*n)++].n) {
+		l[*n] = (Line){ s, strcspn(s, "\n") + 1, 0 };
+		for (i = 0; strncmp(s + i, "A: ", 3) == 0 || strncmp(s + i, "B: ", 3) == 0; i += 3)
+			l[*n].age++;
+	}
+	return l;
+}
+
+/* The oldest of n > 0 lines: a summary, else the first of those that went through most merges. */
+static size_t
+oldest(const Line *l, size_t n)
+{
+	unsigned long counted;
+	size_t i, at = n;
+
+	for (i = 0; i < n; i++)
+		if (l[i].n && is_summary(&l[i], &counted))
+			return i;
+	for (i = 0; i < n; i++)
+		if (l[i].n && (at == n || l[i].age > l[at].age))
+			at = i;
+	return at;
+}
+
+/* Puts one line in the place of the oldest lines of text, so that at most MOST bytes are left: how many
+ * steps they were, and the CRC-32 of their bytes. */
+static void
+shorten(char *text)
+{
+	char *kept = cmd_alloc(strlen(text) + 1, 1), *to = kept;
+	unsigned long steps = 0, counted, crc = 0;
+	size_t left = strlen(text) + SUMMARYLEN, n, i, k;
+	Line *l = split(text, &n);
+	const char *removed = text;
+
+	while (left > MOST) {
+		k = oldest(l, n);
+		is_summary(&l[k], &counted);
+		steps += counted;
+		left -= l[k].n;
+		l[k].n = 0;
+	}
+	for (i = 0; i < n; i++) {
+		if (!l[i].n)
+			continue;
+		crc = crc32(crc, (const Bytef *)removed, (uInt)(l[i].s - removed));
+		removed = l[i].s + l[i].n;
+		memcpy(to, l[i].s, l[i].n);
+		to += l[i].n;
+	}
+	*to = '\0';
+	sprintf(text, "%s%lu, CRC-32 %08lx\n%s", SUMMARY, steps, crc, kept);
+	free(kept);
+	free(l);
+}
+
+char *
+history_with_step(const char *past)
+{
+	size_t n = past ? strlen(past) : 0;
+	char *text;
+
+	if (step.none)
+		return NULL;
+	text = cmd_alloc(n + STEP + SUMMARYLEN + 2, 1);
+	sprintf(text, "%s%s%s%s\n", n ? past : "", step.text, step.cut ? CUT : "", END);
+	if (strlen(text) > MOST)
+		shorten(text);
+	return text;
+}

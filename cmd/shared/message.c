@@ -1,0 +1,116 @@
+/* message.c - what a command prints on stderr. */
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "cmd.h"
+#include "private.h"
+
+static struct {
+	const char *name;
+	int         verbose;            /* -1 quiet, 0, 1 */
+	struct timespec began;
+	int         progress;           /* a progress line is on the terminal */
+} message;
+
+void
+message_begin(const char *name)
+{
+	message.name = name;
+	clock_gettime(CLOCK_MONOTONIC, &message.began);
+}
+
+void
+message_verbosity(int verbose)
+{
+	message.verbose = verbose;
+}
+
+/* "name: text tail" on one line.  Control bytes of a file or an argument must not reach the terminal. */
+static void
+print_line(const char *fmt, va_list ap, const char *tail)
+{
+	char line[1024], *s;
+
+	cmd_progress_end();
+	vsnprintf(line, sizeof line, fmt, ap);
+	for (s = line; *s; s++)
+		if ((unsigned char)*s < ' ' || *s == 0x7f)
+			*s = '?';
+	fprintf(stderr, "%s: %s%s\n", message.name, line, tail);
+}
+
+void
+die(const char *fmt, ...)
+{
+	va_list ap;
+
+	cmd_drop_output();
+	va_start(ap, fmt);
+	print_line(fmt, ap, "");
+	va_end(ap);
+	exit(1);
+}
+
+void
+misuse(const char *fmt, ...)
+{
+	char help[64];
+	va_list ap;
+
+	cmd_drop_output();
+	snprintf(help, sizeof help, " (see %s --help)", message.name);
+	va_start(ap, fmt);
+	print_line(fmt, ap, help);
+	va_end(ap);
+	exit(2);
+}
+
+void
+note(const char *fmt, ...)
+{
+	va_list ap;
+
+	va_start(ap, fmt);
+	if (message.verbose >= 0)
+		print_line(fmt, ap, "");
+	va_end(ap);
+}
+
+void
+detail(const char *fmt, ...)
+{
+	va_list ap;
+
+	va_start(ap, fmt);
+	if (message.verbose > 0)
+		print_line(fmt, ap, "");
+	va_end(ap);
+}
+
+void
+cmd_progress(const char *fmt, ...)
+{
+	struct timespec now;
+	va_list ap;
+
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	if (message.verbose < 0 || now.tv_sec - message.began.tv_sec < 1 || !isatty(STDERR_FILENO))
+		return;
+	fprintf(stderr, "\r%s: ", message.name);
+	va_start(ap, fmt);
+	vfprintf(stderr, fmt, ap);
+	va_end(ap);
+	fputs("\033[K", stderr);
+	message.progress = 1;
+}
+
+void
+cmd_progress_end(void)
+{
+	if (message.progress)
+		fputs("\r\033[K", stderr);
+	message.progress = 0;
+}
