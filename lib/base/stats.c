@@ -1,4 +1,4 @@
-/* stats.c - numbers that describe many. */
+/* stats.c - summary statistics: mean, maximum, median. */
 #include <stdlib.h>
 
 #include "stats.h"

@@ -1,4 +1,4 @@
-/* stats.h - numbers that describe many. */
+/* stats.h - summary statistics: mean, maximum, median. */
 #ifndef STATS_H
 #define STATS_H
 

@@ -43,10 +43,10 @@ typedef struct Cell {
 	double      h, k;
 } Cell;
 
-/* Where a cell's metric is taken, as distances from its middle, and what central differences
- * have in the tangents.  Of those by which lambda and H will be taken, the cell's own leave a
- * grid that is conformal in another sense than it is used in; central ones do not see the
- * odd-even mode.  At Gauss points the mean of both left 1.5 to 2 times less of the Beltrami
+/* The points of a cell where its metric is evaluated, as distances from its middle, and the share of
+ * central differences in the tangents there.  lambda and H will be computed by central differences.
+ * With the cell's own differences alone the grid becomes conformal in another sense than that;
+ * central ones alone do not see the odd-even mode.  At Gauss points the mean of both left 1.5 to 2 times less of the Beltrami
  * coefficient than either; on buddha_laughing_15k at 257 x 257 a median of .0017.  At the
  * corners it is .0014 with the mean, .0010 with 0.9 central, and lasts twice the rounds. */
 static const struct { double from_middle, central; } METRIC[] = {

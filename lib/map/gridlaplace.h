@@ -6,8 +6,7 @@
  *   E(f) = integral  <grad f, A grad f> du dv,    A = sqrt(det g) g^-1,  g = (E F; F G),
  *
  * by bilinear elements and 2 x 2 points a cell, the tangents in g from cell and from central
- * differences.  A is the identity where phi is conformal
- * (DESIGN section 4, polish).
+ * differences.  A is the identity where phi is conformal.  doc/mathematics.md 3.6.
  */
 #ifndef GRIDLAPLACE_H
 #define GRIDLAPLACE_H

@@ -1,12 +1,13 @@
-/* anchor.c - the place of a surface. */
+/* anchor.c - places a surface known only up to a rigid motion. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "anchor.h"
 #include "../base/procrustes.h"
+#include "../grid/stencil.h"
 
 static void
-take(size_t count, const size_t *node, size_t n, const double *phi, double *x)
+gather(size_t count, const size_t *node, size_t n, const double *phi, double *x)
 {
 	size_t q;
 	int c;
@@ -30,10 +31,10 @@ anchor_init(Anchor *a, Chart g, int border, const double *phi)
 	for (p = 0; p < n; p++) {
 		int i = (int)(p%g.nu), j = (int)(p/g.nu);
 
-		if (!border || i == 0 || j == 0 || i == g.nu - 1 || j == g.nv - 1)
+		if (!border || !stencil_is_inner(g, i, j))
 			a->node[a->n++] = p;
 	}
-	take(a->n, a->node, n, phi, a->at);
+	gather(a->n, a->node, n, phi, a->at);
 	return 0;
 }
 
@@ -55,7 +56,7 @@ anchor_place(const Anchor *a, Chart g, double *phi)
 
 	if (!x)
 		return ANCHOR_ENOMEM;
-	take(a->n, a->node, n, phi, x);
+	gather(a->n, a->node, n, phi, x);
 	e = procrustes((int)a->n, NULL, a->at, x, &r, &rms);
 	free(x);
 	for (p = 0; !e && p < n; p++) {

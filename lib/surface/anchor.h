@@ -1,4 +1,4 @@
-/* anchor.h - where a surface without a place is put: nodes of which positions are known. */
+/* anchor.h - places a surface known only up to a rigid motion: nodes whose positions are known. */
 #ifndef ANCHOR_H
 #define ANCHOR_H
 
@@ -21,7 +21,7 @@ typedef struct Anchor {
 int  anchor_init(Anchor *a, Chart g, int border, const double *phi);
 void anchor_free(Anchor *a);
 
-/* The rigid motion of phi that brings its nodes nearest to the anchor's (procrustes.h).
+/* Moves phi rigidly so that its nodes come nearest to the anchor's (procrustes.h).
  * Returns 0, ANCHOR_ENOMEM or ANCHOR_EVALUE. */
 int anchor_place(const Anchor *a, Chart g, double *phi);
 

@@ -8,31 +8,34 @@
 #include "fit.h"
 
 static const double BLUNT_W = 30, BLUNT_ALPHA = 1, SHARP_W = 100, SHARP_ALPHA = 0.1;
-static const double TENSION = 3;        /* of the plate in w^2: what took the fewest steps */
+static const double TENSION = 3;        /* of the plate, in w^2: fewest steps on our meshes */
 enum { MOST_CG = 60, TEN = 10 };
-/* With a free boundary surfaces bend easily and far.  Few steps of CG until the last Gauss-Newton
- * step was short and did what it had foretold, as more are spent on bending that the next one
- * undoes; then as many as it takes. */
+/* With a free boundary surfaces bend easily and far.  CG gets few steps until a Gauss-Newton step
+ * was short and E fell as predicted: more would be spent on bending that the next step undoes.
+ * After that it gets as many as it needs. */
 enum { MOST_CG_FREE = 20, MOST_CG_NEAR = 400 };
 static const double NEAR = 0.9, NEARBY = 1e-4, WORTH_NEAR = 1e-6;
 static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a Gauss-Newton step */
 static const double FLAT = 1e-6;        /* share of E not worth another step */
-/* E over the last one: below, it falls fast, steeply; above, hardly */
+/* Ratio of E to its previous value: below FAST it falls fast, below STEEP steeply; above STILL it
+ * hardly falls. */
 static const double FAST = 0.1, STEEP = 0.5, STILL = 0.98;
-static const double SURE = 0.1;         /* share of the tolerance that is short whatever E does */
-static const double POOR = 0.25;        /* share of the fall foretold: below, the way is shortened */
-enum { SHORTER = 3 };           /* times */
-static const double CREEP = 5e-4;       /* share of E that ten steps must take */
+static const double SURE = 0.1;         /* a step below this share of the tolerance counts as
+                                         * converged whatever E does */
+static const double POOR = 0.25;        /* if the decrease is below this share of the predicted one,
+                                         * the step is shortened */
+enum { SHORTER = 3 };           /* times at most */
+static const double CREEP = 5e-4;       /* least share of E by which ten steps must lower it */
 static const double WORTH = 1e-3;       /* least share of the decrease a CG step must add */
 
 typedef struct Work {
 	Misfit *m;
-	const double *phi;              /* where the normal equations are those of */
+	const double *phi;              /* the surface of the normal equations */
 	Plate   plate;
 	size_t  n;                      /* numbers in a vector */
 	double *r, *z, *p, *q, *d, *y;  /* residual, preconditioned, direction, J'J p; step, trial */
 	double  radius;                 /* of the trust region, in the norm of the plate */
-	int     near;                   /* the last step was short, whole and as foretold */
+	int     near;                   /* the last step was short, not cut, and E fell as predicted */
 	long    solves;
 } Work;
 
@@ -102,13 +105,14 @@ conjugate_gradients(Work *k, const double *phi, double *length, int *spent)
 	return is.decrease;
 }
 
-/* What came of a step. */
+/* Outcome of a step. */
 typedef struct Outcome {
-	double change;          /* root mean square of the way over sqrt(area) */
-	double fall;            /* of E, foretold */
-	int    taken;           /* phi is changed */
-	int    cut;             /* it was made shorter: by the trust region, or as E rises beyond */
-	int    spent;           /* CG had no steps left */
+	double change;          /* root mean square displacement over sqrt(area) */
+	double predicted;       /* decrease of E */
+	int    accepted;        /* phi is changed */
+	int    cut;             /* the step was shortened: by the trust region, or by backtracking
+	                         * because E rose */
+	int    spent;           /* CG reached its limit of steps */
 } Outcome;
 
 /* E at phi + t d, which is left in y. */
@@ -120,21 +124,22 @@ trial(Work *k, const double *phi, double t)
 	return misfit_energy(k->m, k->y);
 }
 
-/* How far to go along d, and E there: all the way if that takes off at least a quarter of what
- * was foretold, else to the lowest point of the parabola through E here and there with its
- * slope here, -2 <b,d>, once or a few times.  *fall is what is foretold for that way.  Folds
- * make E rise soon: to find this out by new steps of CG costs ten times as much. */
+/* Step length along d, and E there.  The length is 1 if that lowers E by at least a quarter of the
+ * predicted decrease.  Otherwise it is the minimum of the parabola through E at both ends with
+ * the slope at the start, -2 <b,d>, a few times over.  *predicted is set to the predicted decrease
+ * for that length.  Near folds E rises early along d; backtracking here is ten times cheaper than
+ * rediscovering that with another CG solve. */
 static double
-way_along(Work *k, const double *phi, double E, double bd, double *fall, double *E2)
+step_length(Work *k, const double *phi, double E, double bd, double *predicted, double *E2)
 {
-	double t = 1, whole = *fall, lowest;
+	double t = 1, whole = *predicted, lowest;
 	int tries;
 
 	*E2 = trial(k, phi, t);
-	for (tries = 0; tries < SHORTER && !(E - *E2 > POOR*(*fall)); tries++) {
+	for (tries = 0; tries < SHORTER && !(E - *E2 > POOR*(*predicted)); tries++) {
 		lowest = isfinite(*E2) ? bd*t*t/(2*bd*t + *E2 - E) : 0;
 		t = lowest > 0.5*t ? 0.5*t : lowest > 0.1*t ? lowest : 0.1*t;
-		*fall = 2*bd*t - (2*bd - whole)*t*t;
+		*predicted = 2*bd*t - (2*bd - whole)*t*t;
 		*E2 = trial(k, phi, t);
 	}
 	return t;
@@ -150,30 +155,30 @@ step(Work *k, double *phi, double *E)
 	misfit_gradient(k->m, phi, k->r);
 	field_scale(k->n, -1, k->r, k->r);
 	field_scale(k->n, 1, k->r, k->y);
-	is.fall = conjugate_gradients(k, phi, &length, &is.spent);
+	is.predicted = conjugate_gradients(k, phi, &length, &is.spent);
 	bd = field_dot(k->n, k->y, k->d);
 	is.cut = length > 0.99*k->radius;
-	t = way_along(k, phi, *E, bd, &is.fall, &E2);
+	t = step_length(k, phi, *E, bd, &is.predicted, &E2);
 	is.change = t*sqrt(field_dot(k->n, k->d, k->d)/(k->n/3.0)*k->m->scale/k->m->g.T);
-	gain = (*E - E2)/is.fall;
-	is.taken = gain > 0.01;
+	gain = (*E - E2)/is.predicted;
+	is.accepted = gain > 0.01;
 	if (t < 1) {
 		is.cut = 1;
 		k->radius = length*fmax(t, POOR);
 	} else if (gain > 0.75 && is.cut)
 		k->radius *= 2;
 	k->near = gain > NEAR && !is.cut && is.change < NEARBY;
-	if (is.taken) {
+	if (is.accepted) {
 		field_scale(k->n, 1, k->y, phi);
 		*E = E2;
 	}
 	return is;
 }
 
-/* How much of sharpening the data bear: nothing where the scale is off by 16 %, all below 8 %:
- * 0.05-3 % for surfaces, 7 % for whole hemispheres of the cortex, 8-13 % when a filter took a
- * little from them, 20 % when it took all but the coarse shape.  In eighths, so that where the
- * steps came from leaves no trace. */
+/* How far the weights may be sharpened: not at all if the metric error is 16 % or more, fully below
+ * 8 %.  It is 0.05-3 % for surfaces, 7 % for whole hemispheres of the cortex, 8-13 % after a light
+ * filter, 20 % after one that left the coarse shape only.  Rounded to eighths, so that rounding
+ * differences in the start do not change the weights. */
 static double
 sharpness(const Misfit *m, const double *phi)
 {
@@ -191,7 +196,7 @@ set_weights(Misfit *m, double share)
 
 /* Where the last ten steps began. */
 typedef struct Past {
-	double E[TEN], way[TEN];        /* the changes of all steps before, summed */
+	double E[TEN], way[TEN];        /* E, and the sum of the changes of all steps before */
 	int    steps;
 } Past;
 
@@ -202,10 +207,10 @@ remember(Past *past, double E, double way)
 	past->way[past->steps++%TEN] = way;
 }
 
-/* A step that was cut short shows nothing, unless the last ten together took hardly anything
- * off E or went nowhere: what belongs to no surface can creep.  Nor does one that is
- * but just short enough while E still falls fast, or, where CG had no time to find the slow part
- * of it, at all. */
+/* A shortened step says nothing about convergence, unless the last ten steps together barely
+ * lowered E or barely moved: data that belong to no surface can creep for ever.  Nor does a step
+ * only just below the tolerance while E is still falling fast; or, if CG reached its limit before
+ * it found the slow part, while E is falling at all. */
 static int
 converged(const FitOptions *o, const Outcome *is, double E, double way, const Past *past)
 {
@@ -217,7 +222,7 @@ converged(const FitOptions *o, const Outcome *is, double E, double way, const Pa
 		return 1;
 	if (is->cut)
 		return 0;
-	return is->change < (E > flat*past->E[last] ? 1 : SURE)*o->tolerance || is->fall <= FLAT*E;
+	return is->change < (E > flat*past->E[last] ? 1 : SURE)*o->tolerance || is->predicted <= FLAT*E;
 }
 
 int
@@ -247,8 +252,8 @@ fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 			o->report(o->ctx, at);
 		done = converged(o, &is, E, way, &past);
 		flat = done || E > STEEP*past.E[(past.steps - 1)%TEN];
-		share = blunt && is.taken ? sharpness(m, phi) : 0;
-		if (blunt && is.taken && (flat || share == 1)) {
+		share = blunt && is.accepted ? sharpness(m, phi) : 0;
+		if (blunt && is.accepted && (flat || share == 1)) {
 			set_weights(m, share);
 			E = misfit_energy(m, phi);
 			k.radius = HUGE_VAL;

@@ -1,8 +1,8 @@
-/* fit.h - the surface of least misfit on one grid, by Gauss and Newton.
+/* fit.h - the surface of least misfit on one grid, by Gauss-Newton steps.
  *
  * Each step solves  J'J d = -J'r  by conjugate gradients, preconditioned by the plate
- * (plate.h) and cut off at the border of a trust region (Steihaug), whose radius follows
- * how well E agrees with what was foretold.
+ * (plate.h) and stopped at the border of a trust region (cg.h), whose radius is adapted to
+ * the ratio of the actual to the predicted decrease of E.  doc/mathematics.md 6.4.
  */
 #ifndef FIT_H
 #define FIT_H
@@ -12,35 +12,35 @@
 
 enum { FIT_ENOMEM = -1 };
 
-/* How far it is: after each step, and at the end. */
+/* Progress: after each step, and at the end. */
 typedef struct FitProgress {
 	int    nu, nv, step;
-	double energy, change;          /* E; root mean square of d over sqrt(area) */
-	long   solves;                  /* of the plate, on this grid */
-	double cost;                    /* those of all grids, in ones of the finest */
-	size_t worst;                   /* the node of the largest residual, of a failure */
+	double energy, change;          /* E; root mean square displacement over sqrt(area) */
+	long   solves;                  /* with the plate, on this grid */
+	double cost;                    /* solves on all grids, in units of one on the finest */
+	size_t worst;                   /* without convergence: the node of the largest residual */
 } FitProgress;
 
 typedef struct FitOptions {
-	double tolerance;               /* of change: smaller, and it has converged */
-	int    most;                    /* steps */
-	int    sharpen;                 /* make w and alpha follow the data */
+	double tolerance;               /* converged when change is smaller */
+	int    most;                    /* steps at most */
+	int    sharpen;                 /* adapt w and alpha to the data */
 	void (*report)(void *ctx, const FitProgress *at);       /* or NULL */
 	void  *ctx;
 } FitOptions;
 
 /* m       in      the misfit, whose w and alpha are set here
  * phi     in/out  [3][nv][nu]: a start; the border is held unless it is free (m->free)
- * at      out     of the last step; its cost is added to
+ * at      out     progress at the last step; solves are added to its cost
  *
- * At first w = 30 and alpha = 1, which converges from afar and leaves no wrinkles where
- * lambda and H belong to no surface.  To sharpen is to look how far the metric of the surface
- * is from lambda^2, and where that is little, so that they do belong to one, to go to w = 100
- * and alpha = 0.1: then what is not conformal about the grid weighs less (README, the surface
- * method).  Where it is little at once that is done at once; else it is looked again after
- * every step, and a part of the way is gone when the energy no longer falls steeply.
+ * The first weights, w = 30 and alpha = 1, converge from afar and leave no wrinkles where
+ * lambda and H belong to no surface.  Where the metric of the surface is close to lambda^2,
+ * lambda and H do belong to one.  Then sharpening goes to w = 100 and alpha = 0.1, so that the
+ * deviation of the grid from conformal weighs less.  If the metric is close at the start, this
+ * is done at once.  Otherwise it is checked again after every step, and the weights move part
+ * of the way once the energy stops falling steeply.  doc/mathematics.md 6.3.
  *
- * Returns 1 if it converged, 0 if it did not in so many steps, or FIT_ENOMEM. */
+ * Returns 1 if it converged, 0 if it did not within the steps, or FIT_ENOMEM. */
 int fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at);
 
 #endif

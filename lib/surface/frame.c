@@ -8,12 +8,12 @@
 
 enum { FRAME_HELD = 2 };        /* rings where frame and second form are known */
 
-/* What the three systems share.  D and M are those of the step before, [node]. */
+/* The data of the three systems. */
 typedef struct Given {
 	Chart         g;
 	const double *lambda, *H;
-	double       *DM;       /* [node][2] */
-	double       *pqn;      /* [node][3 fields][3 coordinates] */
+	double       *DM;       /* [node][2], the result of the first */
+	double       *pqn;      /* [node][3 fields][3 coordinates], that of the second */
 } Given;
 
 /* Average and differences of the four corners of a cell, as weights. */
@@ -74,7 +74,7 @@ centre_lambda2H(const Given *s, int i, int j)
 	return (a[0]*a[0]*f[0] + a[1]*a[1]*f[1] + b[0]*b[0]*e[0] + b[1]*b[1]*e[1])/4;
 }
 
-/* The equations of Codazzi for D and M.                                        (14) */
+/* mu_zbar = (lambda^2/2) H_z in real form, for mu = (D - i M)/2.                      (14) */
 static void
 codazzi(const void *ctx, int i, int j, CellRows *r)
 {
@@ -90,9 +90,8 @@ codazzi(const void *ctx, int i, int j, CellRows *r)
 	r->b[1][0] = -lambda2*centre_v(s->g, s->H, i, j);
 }
 
-/* The natural frame equations (13) in real form (doc/mathematics.md 7.1), everything on the
- * left.  The rows of n are scaled by lambda, as n is of size 1 where p and q are of size
- * lambda.                                                                      (30) */
+/* The natural frame equations (13) in real form (doc/mathematics.md 7.1), all terms on the left.
+ * The rows of n are scaled by lambda, as n is of size 1 and p and q are of size lambda.   (30) */
 static void
 natural_frame(const void *ctx, int i, int j, CellRows *r)
 {
@@ -129,13 +128,14 @@ natural_frame(const void *ctx, int i, int j, CellRows *r)
 	term(s, r->A[5], 3, n, 0, lambda, 0);
 }
 
+/* phi from its derivatives.                                                          (31) */
 static void
 position(const void *ctx, int i, int j, CellRows *r)
 {
 	const Given *s = ctx;
 	int c;
 
-	term(s, r->A[0], 1, 0, 1, 0, 0);        /* phi_u = p                            (31) */
+	term(s, r->A[0], 1, 0, 1, 0, 0);        /* phi_u = p */
 	term(s, r->A[1], 1, 0, 0, 1, 0);        /* phi_v = q */
 	for (c = 0; c < 3; c++) {
 		r->b[0][c] = centre(s->g, s->pqn + c, 9, i, j);
@@ -143,7 +143,7 @@ position(const void *ctx, int i, int j, CellRows *r)
 	}
 }
 
-/* Frame and second form of phi at inner node (i,j).                            (12) */
+/* Frame and second form of phi at inner node (i,j). */
 static int
 node_of_band(Chart g, const double *const phi[3], int i, int j, double pqn[9], double DM[2])
 {
@@ -243,7 +243,8 @@ positions(const Given *s, int held, double *const phi[3], SpdReport *report)
 	return e;
 }
 
-/* The three systems one after the other; so many rings of the frame are given, and of phi. */
+/* The three systems one after the other; frame_held outer rings of the frame are given, and phi_held
+ * of phi. */
 static int
 solve(Given *s, int frame_held, int phi_held, double *const phi[3], SpdReport *report)
 {

@@ -1,18 +1,21 @@
-/* frame.h - the surface of a given lambda and H, by the paper's frame method.
+/* frame.h - the surface of a given lambda and H, by the paper's frame method (doc/mathematics.md 7).
  *
  * Three linear least squares one after the other, all on cell centres:
  *
- *   Codazzi     D_u + M_v = lambda^2 H_u,  D_v - M_u = -lambda^2 H_v   for D = (L-N)/2, M
+ *   Codazzi     D_u + M_v = lambda^2 H_u,  D_v - M_u = -lambda^2 H_v   for D = (L-N)/2, M   (14)
  *   frame       (p, q, n) = (phi_u, phi_v, n) from the natural frame equations, which are
- *               the same for x, y and z: one matrix, three right-hand sides
- *   position    phi_u = p, phi_v = q
+ *               the same for x, y and z: one matrix, three right-hand sides         (13), (30)
+ *   position    phi_u = p, phi_v = q                                                    (31)
  *
- * Between the last two, p and q are made orthogonal and of length lambda: the linear
- * system does not know that, and where H is large it shrinks the frame (the area of
+ * The first replaces (15), the paper's Poisson equation for mu = (D - i M)/2, which follows from
+ * it by one more differentiation.
+ *
+ * Between the last two, p and q are made orthogonal and of length lambda.  The linear system
+ * does not contain these conditions, and where H is large it shrinks the frame (the area of
  * "mkmesh -n 60000 cortex" at 129 x 129: 139; without this step 105, with it 133).
  *
- * phi is given on the three outer rings (the neighbourhood V of Theorem 1): from it come
- * the frame and the second fundamental form on the outer two (doc/mathematics.md 7).
+ * phi is given on the three outer rings (the neighbourhood V of Theorem 1, (8)): from it come
+ * the frame and the second fundamental form on the outer two.  The chart is a rectangle.
  */
 #ifndef FRAME_H
 #define FRAME_H

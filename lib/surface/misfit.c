@@ -7,7 +7,7 @@
 #include "misfitnode.h"
 
 static const double FINEST = 2;         /* turn of the normal over a cell beyond which H is clipped */
-static const double BLUR = 1e-6;
+static const double BLUR = 1e-6;        /* of n where phi_u x phi_v is small, misfit.h */
 
 static double
 clip(const Misfit *m, double lambda2, double l2H)
@@ -91,7 +91,7 @@ misfit_free(Misfit *m)
 
 /* ---- sums over the nodes ---------------------------------------------- */
 
-/* Rows are summed in their order, whatever the threads did. */
+/* Rows are summed in their order, so that the sum does not depend on the threads. */
 static double
 total(const Misfit *m, const double *row)
 {
@@ -104,7 +104,7 @@ total(const Misfit *m, const double *row)
 	return sum;
 }
 
-/* What so many neighbours share of E. */
+/* The contributions of the nodes of q to E. */
 static void
 energy_of(const Misfit *m, const double *phi, const Quad *q, Nodes *e)
 {

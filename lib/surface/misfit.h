@@ -1,4 +1,5 @@
-/* misfit.h - how far a surface is from a conformal factor and a mean curvature.
+/* misfit.h - the energy E of a surface for a given conformal factor and mean curvature, its gradient
+ * and the matrix of its Gauss-Newton steps.  doc/mathematics.md 6.2, 6.3.
  *
  *   E(phi) = sum over the inner nodes of
  *              o^2 ( <Delta phi, n> - 2 lambda^2 H )^2 / <lambda^2>              normal
@@ -6,23 +7,23 @@
  *         + w^2 o   ( |phi_u|^2 + |phi_v|^2 - 2 lambda^2 )^2 / (4 lambda^2 <lambda^2>)
  *         + w^2 o^2 ( (|phi_u|^2 - |phi_v|^2)^2/4 + <phi_u, phi_v>^2 ) / (lambda^2 <lambda^2>)
  *
- * with <lambda^2> the mean over the inner nodes, central differences and the five-point
- * Laplacian: those by which lambda and H are taken from a surface (lambdah.h), so that the
- * first and the third line are 0 for the surface they were taken from, to the last bit.
- * The others are 0 only if that grid is conformal: where it is not, nu and tau say so.
- * E is free of the unit of length.
+ * with <lambda^2> the mean over the inner nodes.  The first two lines are (9), the last two (6).
+ * The differences are those of lambdah.h (stencil.h), so that for a gridded surface and its own
+ * lambda and H the first and the third line are 0, to rounding.  The others are 0 only if that
+ * grid is conformal; if not, the residual channels nu and tau hold the difference.  E does not
+ * depend on the unit of length.
  *
  * o = 1/(1 + 4 q^2) is the weight of a node by its resolution: q^2 = (h^2 + k^2)/2
  * (lambda^2 H^2 + 4 |grad log lambda|^2), the turn of the normal and of the coordinate lines over one cell.
- * Truncation makes of a conformal map a grid that is off by about q^2.  The third line,
- * which holds all the same, is trusted more.  o = 0 where lambda < 0.01 <lambda^2>^(1/2),
- * and |H| is clipped so that lambda |H| times a step is <= 2 (doc/mathematics.md 6.3).
+ * Truncation moves the grid of a conformal map off conformal by about q^2.  The third line is
+ * hardly affected by truncation, so it is weighted by o, not o^2.  o = 0 where
+ * lambda < 0.01 <lambda^2>^(1/2), and |H| is clipped so that lambda |H| times a step is <= 2.
  *
- * n is smooth where the surface folds over: it is 0 where phi_u x phi_v is, over a thousandth
- * of lambda^2 (not with a residue, where such places are not to be).
+ * Where the surface folds over, n is smoothed: it goes to 0 with phi_u x phi_v, once that is
+ * below a thousandth of lambda^2 (not with a residue, whose surface has no such places).
  *
- * Where the boundary is free, the border nodes add the last two lines too, with w/10 and
- * differences that are one-sided across the border, of the second order as those inside.
+ * Where the boundary is free, border nodes add the last two lines too, with w/10 and
+ * differences that are one-sided across the border, of second order as those inside.
  *
  * Vectors of displacements and gradients are three fields [3][nv][nu], 0 on the border unless
  * it is free.
@@ -36,7 +37,7 @@
 
 enum { MISFIT_ENOMEM = -1 };
 
-/* What lambda and H do not say of a grid that is not quite conformal, each [nv][nu]:
+/* The residual channels of a grid that is not quite conformal, each [nv][nu]:
  *
  *   nu1  = (|phi_u|^2 - |phi_v|^2)/(2 lambda^2)      tau1 = <Delta phi, phi_u>/lambda^2
  *   nu2  = <phi_u, phi_v>/lambda^2                   tau2 = <Delta phi, phi_v>/lambda^2
@@ -53,27 +54,27 @@ typedef struct Misfit {
 	double         blur;            /* n = c/(|c|^2 + blur lambda^4)^(1/2), c = phi_u x phi_v */
 	double        *lambda2, *l2H2;  /* [nv][nu] lambda^2 and 2 lambda^2 H */
 	double        *o;               /* [nv][nu] */
-	double        *row, *work;      /* of the sums and of the products */
+	double        *row, *work;      /* workspace: sums of rows; adjoint rows */
 	const Residue *residue;         /* or NULL */
 	int            free;            /* the border nodes are unknowns */
 } Misfit;
 
-/* The fields lambda2 = lambda^2 > 0 and l2H = lambda^2 H are read, residue (or NULL) is kept.
- * w and alpha are to be set.  g has at least 3 nodes in either direction.  Returns 0 or
+/* Copies lambda2 = lambda^2 > 0 and l2H = lambda^2 H; keeps the pointer residue (or NULL).  The
+ * caller then sets w and alpha.  g has at least 3 nodes in either direction.  Returns 0 or
  * MISFIT_ENOMEM; m then holds nothing to free. */
 int  misfit_init(Misfit *m, Chart g, const double *lambda2, const double *l2H, const Residue *residue);
 void misfit_free(Misfit *m);
 
-/* From now on the boundary is free.  Residues are not defined on the border, which is held to
- * be conformal. */
+/* Makes the boundary free.  Residues are not defined on the border: its target is a conformal
+ * metric. */
 void misfit_set_free(Misfit *m);
 
-/* E, and the node that has the largest part of it: an inner one unless the boundary is free. */
+/* E, and the node with the largest contribution: an inner one unless the boundary is free. */
 double misfit_energy(const Misfit *m, const double *phi);
 size_t misfit_worst(const Misfit *m, const double *phi);
 
 /* The root mean square of (|phi_u|^2 + |phi_v|^2)/(2 lambda^2) - 1 weighted by o^2
- * lambda^2: how far the surface is from having the metric that was asked for. */
+ * lambda^2: the relative error of the metric. */
 double misfit_scale_error(const Misfit *m, const double *phi);
 
 /* With J the derivative of the weighted residuals r at phi, E = |r|^2: J'r, half the

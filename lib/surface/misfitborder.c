@@ -1,4 +1,4 @@
-/* misfitborder.c - the metric on a free boundary.
+/* misfitborder.c - the energy of the metric on a free boundary.
  *
  * The border is thin: one node at a time, in a fixed order. */
 #include <math.h>
@@ -8,12 +8,12 @@
 #include "misfitborder.h"
 #include "../base/vec3.h"
 
-/* Of w: what is told of lambda on the border is continued from within (lambdah.h), and one-sided
- * differences are off by more.  At 0.3 and 1 kinks of the outermost cells hold the steps up. */
+/* Of w: lambda on the border is only extrapolated from inside (lambdah.h), and one-sided differences
+ * have larger errors.  With 0.3 and 1 kinks of the outermost cells slow the steps down. */
 static const double SHARE = 0.1;
 
 typedef struct Metric {
-	double r[3], w[3];      /* scale, the two of shape; by what their squares are multiplied */
+	double r[3], w[3];      /* residuals of scale and (two) of shape; weights of their squares */
 } Metric;
 
 /* phi_u and phi_v at node (i,j). */

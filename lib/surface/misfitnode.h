@@ -1,7 +1,7 @@
 /* misfitnode.h - the residuals of a node and their derivatives.  Private to misfit.
  *
- * Four neighbours of a row at a time, in vectors that the compiler takes apart where the
- * processor has shorter ones; every node's numbers are the same either way. */
+ * Four neighbours of a row at a time, in vectors that the compiler splits where the processor
+ * has shorter ones; the results of a node are the same either way. */
 #ifndef MISFITNODE_H
 #define MISFITNODE_H
 
@@ -15,7 +15,7 @@ enum { MISFIT_PARTS = 6 };      /* residuals of a node: normal, along phi_u and 
 
 #define DOT(a, b) ((a)[0]*(b)[0] + (a)[1]*(b)[1] + (a)[2]*(b)[2])
 
-/* Strips of 32 rows, the last ones of fewer: what a thread takes at a time. */
+/* Strips of 32 rows or fewer, the share of a thread at a time. */
 static inline int
 misfit_strips(Chart g)
 {
@@ -24,11 +24,11 @@ misfit_strips(Chart g)
 	return (rows.to - rows.from + 31)/32;
 }
 
-/* What the differences of the surface are at a node. */
+/* The differences of the surface at four nodes. */
 typedef struct Local {
 	Nodes u[3], v[3];       /* phi_u, phi_v */
 	Nodes L[3];             /* Delta phi */
-	Nodes n[3], area;       /* normal, phi_u x phi_v over the area of the node */
+	Nodes n[3], area;       /* normal and |phi_u x phi_v|, smoothed */
 } Local;
 
 INLINE void
@@ -55,7 +55,7 @@ local(const Misfit *m, const double *phi, const Quad *q, Local *a)
 		a->n[c] /= a->area;
 }
 
-/* By which the squares of the residuals are multiplied. */
+/* The weights of the squared residuals. */
 INLINE void
 weights(const Misfit *m, const Quad *q, Nodes w[MISFIT_PARTS])
 {

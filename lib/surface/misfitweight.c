@@ -1,7 +1,7 @@
 /* misfitweight.c - the weight of a node in the energy. */
 #include "misfitborder.h"
 
-static const double LEAST = 1e-4;       /* lambda^2 over its mean below which a node says nothing */
+static const double LEAST = 1e-4;       /* nodes with lambda^2 below this share of its mean get weight 0 */
 
 double
 misfit_step2(Chart g)

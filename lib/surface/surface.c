@@ -1,4 +1,4 @@
-/* surface.c - from coarse grids to fine ones. */
+/* surface.c - the surface method, coarse to fine. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,9 +9,9 @@
 #include "surface.h"
 
 enum { COARSEST = 65*65 };      /* nodes at least */
-static const double SQUARE = 1.5;       /* sides of a cell that is coarsened both ways */
-static const double ENOUGH = 1e-4;      /* change at which a coarse grid has served, */
-enum { ROUGH = 12 };            /* or steps */
+static const double SQUARE = 1.5;       /* ratio of the sides of a cell up to which both are coarsened */
+static const double ENOUGH = 1e-4;      /* tolerance of coarse grids */
+enum { ROUGH = 12 };            /* and their steps at most */
 static const double WHOLE[2] = { 1, 1 };
 
 typedef struct Level {
@@ -54,9 +54,9 @@ level_free(Level *l)
 	free(l->phi);
 }
 
-/* Nodes of phi from another grid, times a factor; so many rings stay. */
+/* Interpolates f from another grid into phi, times a factor; the outer rings of phi stay. */
 static int
-fill(Chart from, const double end[2], const double *f, double factor, Chart g, int rings, double *phi)
+interpolate(Chart from, const double end[2], const double *f, double factor, Chart g, int rings, double *phi)
 {
 	double *t = malloc(nodes(g)*sizeof *t);
 	int c, i, j, e = t ? 0 : SURFACE_ENOMEM;
@@ -107,7 +107,7 @@ fit_level(const Level *l, const Residue *residue, int free, const FitOptions *o,
 	return r;
 }
 
-/* On the finest grid, whose phi is what the coarse ones make of it. */
+/* Fits on the finest grid, whose phi holds the interpolated start. */
 static int
 fit_finest(const Surface *s, double unit, const Level *l, const FitOptions *o, FitProgress *at)
 {
@@ -124,8 +124,8 @@ fit_finest(const Surface *s, double unit, const Level *l, const FitOptions *o, F
 	return r;
 }
 
-/* The start of the coarsest level where no lattice says it: the frame method, with the
- * band of the finest. */
+/* The start of the coarsest level if none is given: the frame method, with the band of the
+ * finest. */
 static int
 start_from_frame(const Surface *s, const Level *l, double *finest)
 {
@@ -157,7 +157,7 @@ resolves(const Surface *s, Chart g)
 	return s->start && s->start_chart.nu >= g.nu && s->start_chart.nv >= g.nv;
 }
 
-/* Finds phi of level l, whose border is given if it is held, from that of the level below it. */
+/* Computes phi of level l, whose border is given if it is held, from the level below it. */
 static int
 descend(const Surface *s, double unit, const Level *l, const FitOptions *o, double *finest,
 	FitProgress *at)
@@ -171,10 +171,10 @@ descend(const Surface *s, double unit, const Level *l, const FitOptions *o, doub
 		if (!r)
 			r = descend(s, unit, &below, o, finest, at);
 		if (r >= 0)
-			r = fill(below.g, WHOLE, below.phi, 1, l->g, rings, l->phi);
+			r = interpolate(below.g, WHOLE, below.phi, 1, l->g, rings, l->phi);
 		level_free(&below);
 	} else if (s->start)
-		r = fill(s->start_chart, s->start_end, s->start, 1/unit, l->g, rings, l->phi);
+		r = interpolate(s->start_chart, s->start_end, s->start, 1/unit, l->g, rings, l->phi);
 	else
 		r = start_from_frame(s, l, finest);
 	if (r < 0)
@@ -187,7 +187,7 @@ descend(const Surface *s, double unit, const Level *l, const FitOptions *o, doub
 	return fit_level(l, NULL, s->free, &way, at);
 }
 
-/* Coarsening takes 0 times what lies inside, which must not be what is not a number. */
+/* Coarsening multiplies interior values by 0; set them to 0 first, since 0*NaN is NaN. */
 static void
 clear_inside(Chart g, int rings, double *phi)
 {
@@ -220,7 +220,7 @@ scale(size_t n, double factor, double *phi)
 		phi[p] *= factor;
 }
 
-/* What the surface is to be placed by. */
+/* The nodes that fix the rigid position of the result. */
 static int
 target(const Surface *s, double unit, const double *phi, Anchor *a)
 {
@@ -230,15 +230,15 @@ target(const Surface *s, double unit, const double *phi, Anchor *a)
 	if (!s->adrift)
 		return anchor_init(a, s->g, 1, phi);
 	t = malloc(3*nodes(s->g)*sizeof *t);
-	e = t ? fill(s->start_chart, s->start_end, s->start, 1/unit, s->g, 0, t) : SURFACE_ENOMEM;
+	e = t ? interpolate(s->start_chart, s->start_end, s->start, 1/unit, s->g, 0, t) : SURFACE_ENOMEM;
 	if (!e)
 		e = anchor_init(a, s->g, 0, t);
 	free(t);
 	return e;
 }
 
-/* All of it where the boundary is free: a start is found, as if the boundary were held, moved
- * freely, and put into its place. */
+/* Free boundary: find a start with the boundary held, fit with all nodes free, then place the
+ * result rigidly. */
 static int
 descend_free(const Surface *s, double unit, const Level *finest, const FitOptions *o, FitProgress *at)
 {
