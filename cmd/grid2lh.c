@@ -38,7 +38,7 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
-/* The supports "band" and "start" of a coordinate, each a channel of its own. */
+/* Adds the channels PREFIX.x, PREFIX.y, PREFIX.z of this support. */
 static void
 add_positions(Lhg *g, const char *prefix, int support, int step, const double *const phi[3])
 {
@@ -88,7 +88,7 @@ add_residue(Lhg *g, Chart chart, const double *const phi[3], const double *lambd
 	lambdah_residue(chart, phi, lambda, f, f + 2);
 }
 
-/* One grid: x y z out, lambda H band start in. */
+/* One grid: removes x y z, adds lambda, H, band, start. */
 static void
 convert(const CmdInput *in, Lhg *g, int curvature, int lattice, int residual)
 {

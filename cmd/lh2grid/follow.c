@@ -1,7 +1,7 @@
-/* follow.c - from frame to frame.
+/* follow.c - each frame starts from a coarse lattice of the surface of the frame before.
  *
- * A lattice so coarse says which of the surfaces near this lambda and H is meant; what is
- * finer, and may be wrong in the frame before, stays behind.
+ * So coarse a lattice chooses among the surfaces with this lambda and H.  Finer detail of the
+ * frame before, which may be wrong, is not passed on.
  */
 #include <stdio.h>
 #include <stdlib.h>

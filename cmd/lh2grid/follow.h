@@ -1,4 +1,4 @@
-/* follow.h - each frame of a stream starts from the surface of the one before. */
+/* follow.h - each frame of a stream starts from the surface of the frame before. */
 #ifndef FOLLOW_H
 #define FOLLOW_H
 
@@ -14,7 +14,7 @@ typedef struct Before {
  * about 33 nodes along the shorter side of the surface before, if that has the nodes of g. */
 void follow(const Before *before, Lhg *g);
 
-/* Takes phi[3][nv][nu] for the next frame. */
+/* Keeps phi[3][nv][nu] for the next frame, and frees it later. */
 void follow_keep(Before *before, const Lhg *g, double *phi);
 void follow_end(Before *before);
 

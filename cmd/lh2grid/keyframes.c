@@ -1,10 +1,10 @@
-/* keyframes.c - frames between two others begin with what those two found. */
+/* keyframes.c - frames between two key frames start from the interpolated detail of both. */
 #include <stdlib.h>
 
 #include "../shared/claim.h"
 #include "keyframes.h"
 
-/* A frame that was solved by itself: what it found; NULL before the first. */
+/* The detail of a key frame; NULL before the first. */
 typedef struct Key {
 	int     nu, nv;
 	double *detail;         /* [3][nv][nu] */

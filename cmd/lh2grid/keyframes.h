@@ -1,9 +1,9 @@
-/* keyframes.h - frames between two others begin with what those two found.
+/* keyframes.h - frames between two key frames start from the interpolated detail of both.
  *
- * Every so-manieth frame of a stream is solved by itself.  What its finest grid added to its
- * coarse ones, the detail, changes little on the way to the next of them: the frames between
- * begin there with both details in proportion.  Each still has its own start and coarse
- * grids, so that nothing is handed on from frame to frame.
+ * Every N-th frame of a stream is solved by itself.  Its detail, the finest result minus the
+ * surface of the coarser grid, changes little up to the next key frame.  The frames between add
+ * the linear interpolation of both details on their finest grid.  Each still has its own start
+ * and coarse grids, so that errors do not pass from frame to frame.  doc/mathematics.md 8.5.
  */
 #ifndef KEYFRAMES_H
 #define KEYFRAMES_H

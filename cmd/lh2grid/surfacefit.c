@@ -9,7 +9,7 @@
 #include "../shared/range.h"
 #include "surfacefit.h"
 
-/* A surface that fits exactly is worth more steps: they gain digits fast. */
+/* Factor of the tolerance with residual channels: steps towards an exact fit gain digits fast. */
 static const double EXACT = 1e-4;
 
 static const char *const START[3] = { "start.x", "start.y", "start.z" };

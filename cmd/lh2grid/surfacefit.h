@@ -1,5 +1,5 @@
-/* surfacefit.h - a grid's channels to the surface method of lib/surface.h, and its troubles
- * to a person. */
+/* surfacefit.h - a grid's channels to the surface method (lib/surface/surface.h), its failures to
+ * messages. */
 #ifndef SURFACEFIT_H
 #define SURFACEFIT_H
 
@@ -8,11 +8,11 @@
 typedef struct SurfaceFit {
 	double  tolerance;
 	int     steps, no_start, ideal, free;
-	double *forecast, *detail;      /* of lib/surface.h, or NULL */
+	double *forecast, *detail;      /* of lib/surface/surface.h, or NULL */
 } SurfaceFit;
 
-/* Rings of band that are needed: all but one are for a start, and that one for a boundary
- * that is held; one that is free is placed by it where there is a band. */
+/* Rings of band that are needed: 3 if the frame method must provide the start, else 1 for a held
+ * boundary (or to place a free one), 0 for a free boundary without a band. */
 int surfacefit_rings(const Lhg *g, const SurfaceFit *o);
 
 /* phi[3][nv][nu] has those rings, and becomes the surface; dies if there is none. */
