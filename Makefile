@@ -16,7 +16,7 @@ CMD = mesh2rect grid2lh lhfft lhinterp lh2grid grid2mesh lhinfo lhdiff mkmesh
 
 BUILD    := build$(if $(SANITIZE),/$(SANITIZE))
 export BUILD
-# Tests wait as the commands do, cmd/shared/surroundings.c.
+# Unit tests wait as the commands do, cmd/shared/threads.c.
 export GOMP_SPINCOUNT := 3000
 
 ALL_CPPFLAGS := -D_XOPEN_SOURCE=700 -MMD -MP $(CPPFLAGS)
@@ -31,8 +31,6 @@ endif
 
 LIBOBJ   := $(patsubst %,$(BUILD)/%.o,$(basename $(wildcard format/*.c lib/*/*.c lib/*/*.cc)))
 SHARED   := $(patsubst %.c,$(BUILD)/%.o,$(wildcard cmd/*/*.c))
-# Work that is done before main, which nothing calls; of the rest a command takes what it needs.
-FIRST    := $(BUILD)/cmd/shared/surroundings.o
 BIN      := $(CMD:%=$(BUILD)/bin/%)
 TESTSRC  := $(filter-out tests/fault.c,$(wildcard tests/*.c))
 TESTBIN  := $(TESTSRC:%.c=$(BUILD)/%)
@@ -57,32 +55,47 @@ all: $(BIN)
 
 tests: $(TESTBIN) $(FUZZBIN) $(FAULTY)
 
-$(BIN): $(BUILD)/bin/%: $(BUILD)/cmd/%.o $(FIRST) $(CMDLIB) $(LIB)
-	@mkdir -p $(@D)
-	$(CXX) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+# Link objects $1, and from the archives $2 what these need.  The linker lists the objects
+# that went into the program (-t -t; members of an archive that is not thin have no path);
+# only a change of one of those links it again.
+define link
+@mkdir -p $(@D)
+$(CXX) $(OPENMP) $(LDFLAGS) $(WRAP) -Wl,-t,-t -o $@ $1 $2 $(LDLIBS) $3 >$@.list
+@grep -q '^($(BUILD)' $@.list || sed -n 's,^$(BUILD)/.*\.o$$,$@: &\n&:,p' $@.list >$@.used
+@rm $@.list
+endef
+LINKED   := $(BIN) $(FAULTY) $(TESTBIN) $(FUZZBIN)
+$(foreach p,$(LINKED),$(if $(wildcard $p.used),,$(eval $p: $(LIBOBJ) $(SHARED))))
+-include $(LINKED:=.used)
 
-$(FAULTY): $(BUILD)/faulty/%: $(BUILD)/cmd/%.o $(FIRST) $(FAULT) $(CMDLIB) $(LIB)
-	@mkdir -p $(@D)
-	$(CXX) $(OPENMP) $(LDFLAGS) $(WRAPPED:%=-Wl,--wrap=%) -o $@ $^ $(LDLIBS) -lsuitesparseconfig
+$(BIN): $(BUILD)/bin/%: $(BUILD)/cmd/%.o | $(CMDLIB) $(LIB)
+	$(call link,$<,$(CMDLIB) $(LIB))
+
+$(FAULTY): WRAP = $(WRAPPED:%=-Wl,--wrap=%)
+$(FAULTY): $(BUILD)/faulty/%: $(BUILD)/cmd/%.o $(FAULT) | $(CMDLIB) $(LIB)
+	$(call link,$< $(FAULT),$(CMDLIB) $(LIB),-lsuitesparseconfig)
 
 $(BUILD)/tests/test_memory: $(FAULT)
+$(BUILD)/tests/test_memory: WITH = $(FAULT)
 $(BUILD)/tests/test_memory: WRAP = $(WRAPPED:%=-Wl,--wrap=%)
 
-$(TESTBIN): %: %.o $(LIB)
-	$(CXX) $(OPENMP) $(LDFLAGS) $(WRAP) -o $@ $^ $(LDLIBS) -lcmocka -lsuitesparseconfig
+$(TESTBIN): %: %.o | $(LIB)
+	$(call link,$< $(WITH),$(LIB),-lcmocka -lsuitesparseconfig)
 
 $(BUILD)/tests/test_lhgfault $(FUZZBIN): WRAP = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 
-$(FUZZBIN): %: %.o $(FUZZMAIN) $(FUZZOBJ) $(LIB)
-	$(CXX) $(LDFLAGS) $(WRAP) -o $@ $^ $(LDLIBS)
+$(FUZZBIN): OPENMP =
+$(FUZZBIN): %: %.o $(FUZZMAIN) $(FUZZOBJ) | $(LIB)
+	$(call link,$< $(FUZZMAIN) $(FUZZOBJ),$(LIB))
 
 $(LIBOBJ): ALL_CFLAGS += $(LIBCFLAGS) $(COVER)
 
 $(LIB): $(LIBOBJ)
-$(CMDLIB): $(filter-out $(FIRST),$(SHARED))
+$(CMDLIB): $(SHARED)
+# Thin: the names of the objects, in place of copies.
 $(LIB) $(CMDLIB):
 	rm -f $@
-	$(AR) rc $@ $^
+	$(AR) rcT $@ $^
 
 $(BUILD)/%.o: %.c config.mk
 	@mkdir -p $(@D)

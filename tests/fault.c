@@ -229,6 +229,23 @@ __wrap_write(int fd, const void *bytes, size_t n)
 	return e > 0 ? -1 : __real_write(fd, bytes, e == SHORT && n > 1 ? 1 : n);
 }
 
+/* CHOLMOD's memory: members of a struct up to SuiteSparse 6, functions from 7 on. */
+static void
+replace_suitesparse(void)
+{
+#if SUITESPARSE_VERSION >= SUITESPARSE_VER_CODE(7, 0)
+	SuiteSparse_config_malloc_func_set(__wrap_malloc);
+	SuiteSparse_config_calloc_func_set(__wrap_calloc);
+	SuiteSparse_config_realloc_func_set(__wrap_realloc);
+	SuiteSparse_config_free_func_set(__wrap_free);
+#else
+	SuiteSparse_config.malloc_func = __wrap_malloc;
+	SuiteSparse_config.calloc_func = __wrap_calloc;
+	SuiteSparse_config.realloc_func = __wrap_realloc;
+	SuiteSparse_config.free_func = __wrap_free;
+#endif
+}
+
 /* ---- from the environment ---- */
 
 static void __attribute__((constructor))
@@ -238,10 +255,7 @@ begin(void)
 	char call[16], which[16], error[16];
 	long n;
 
-	SuiteSparse_config.malloc_func = __wrap_malloc;
-	SuiteSparse_config.calloc_func = __wrap_calloc;
-	SuiteSparse_config.realloc_func = __wrap_realloc;
-	SuiteSparse_config.free_func = __wrap_free;
+	replace_suitesparse();
 	if (!s || sscanf(s, "%15s %15s %15s", call, which, error) != 3)
 		return;
 	n = strtol(which, NULL, 10);

@@ -3,7 +3,7 @@
 bats_require_minimum_version 1.5.0
 BUILD=${BUILD:-build}
 PATH=$PWD/$BUILD/bin:$PATH
-export GOMP_SPINCOUNT=3000              # or every command begins twice, cmd/shared/surroundings.c
+export GOMP_SPINCOUNT=3000
 meshes=${LHGRID_MESHES:-../shared/meshes}
 commands="mesh2rect grid2lh lhfft lhinterp lh2grid grid2mesh lhinfo lhdiff mkmesh"
 tmp=$BATS_FILE_TMPDIR

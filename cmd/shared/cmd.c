@@ -23,6 +23,7 @@ cmd_begin(const char *name, const char *usage)
 	if (descriptor_fill())
 		_exit(1);
 	signal(SIGXFSZ, SIG_IGN);       /* a file that grows too large is an error of write */
+	threads_limit();
 }
 
 int

@@ -47,4 +47,7 @@ FILE *descriptor_stream(int fd, const char *mode);
  * Returns 0 or -1. */
 int descriptor_fill(void);
 
+/* At most four threads for each processor, whatever OMP_NUM_THREADS: each has a stack. */
+void threads_limit(void);
+
 #endif

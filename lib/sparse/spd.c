@@ -1,10 +1,10 @@
 /* spd.c - CHOLMOD behind spd.h. */
+#include <dlfcn.h>
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cblas.h>
 #include <omp.h>
 #include <suitesparse/cholmod.h>
 
@@ -126,34 +126,59 @@ solve(Work *w, cholmod_sparse *A, int nrhs, double *B)
 	cholmod_free_factor(&w->L, &w->c);
 }
 
-/* What is held still around CHOLMOD: the threads of OpenBLAS, for equal bits, and those
- * CHOLMOD itself starts for every block, four at a time, though most of their time goes to
- * waiting (factor of 1 M vertices, METIS order, 2 cores: 5.3 s with, 2.6 s without). */
-typedef struct Hold {
-	int blas, levels;
-} Hold;
+/* OpenBLAS's own functions, if that is the BLAS this process has loaded: NULL with any other. */
+typedef struct Blas {
+	void (*set)(int);
+	int  (*get)(void);
+} Blas;
 
-static Hold
-hold(void)
+static Blas
+openblas(void)
 {
-	Hold h = { openblas_get_num_threads(), omp_get_max_active_levels() };
+	void *process = dlopen(NULL, RTLD_LAZY);
+	Blas b = { NULL, NULL };
 
-	openblas_set_num_threads(1);
+	if (!process)
+		return b;
+	*(void **)&b.set = dlsym(process, "openblas_set_num_threads");
+	*(void **)&b.get = dlsym(process, "openblas_get_num_threads");
+	dlclose(process);
+	return b;
+}
+
+/* CHOLMOD works on one thread: BLAS, for equal bits; its own loops over blocks, since its
+ * four threads mostly wait (factor of 1 M vertices, METIS order, 2 cores: 5.3 s with them,
+ * 2.6 s without). */
+typedef struct Threads {
+	Blas openblas;
+	int  blas, levels;
+} Threads;
+
+static Threads
+one_thread(void)
+{
+	Threads t = { openblas(), 1, omp_get_max_active_levels() };
+
+	if (t.openblas.set && t.openblas.get) {
+		t.blas = t.openblas.get();
+		t.openblas.set(1);
+	}
 	omp_set_max_active_levels(omp_get_active_level());
-	return h;
+	return t;
 }
 
 static void
-release(Hold h)
+restore_threads(Threads t)
 {
-	openblas_set_num_threads(h.blas);
-	omp_set_max_active_levels(h.levels);
+	if (t.openblas.set && t.openblas.get)
+		t.openblas.set(t.blas);
+	omp_set_max_active_levels(t.levels);
 }
 
 int
 spd_solve(Spd *a, const int *order, int nrhs, double *B, SpdReport *report)
 {
-	Hold h = hold();
+	Threads threads = one_thread();
 	cholmod_sparse *A;
 	Work w;
 
@@ -166,7 +191,7 @@ spd_solve(Spd *a, const int *order, int nrhs, double *B, SpdReport *report)
 		w.e = SPD_ENOMEM;
 	cholmod_free_sparse(&A, &w.c);
 	cholmod_finish(&w.c);
-	release(h);
+	restore_threads(threads);
 	if (report)
 		*report = w.r;
 	return w.e;
