@@ -1,4 +1,5 @@
-/* adapt.c - solve, look where the certificate sits, split, solve again. */
+/* adapt.c - adaptive refinement: solve, split the facets with the largest share of the
+ * certificate, solve again. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,11 +9,11 @@
 #include "../mesh/refine.h"
 #include "../base/vec3.h"
 
-enum { GRADED = 3 };                    /* times the faces at the corners are split at once */
-static const double SHARE = 0.7;        /* of the certificate: what the split faces hold */
+enum { GRADED = 3 };                    /* splits of the faces at the corners before any solve */
+static const double SHARE = 0.7;        /* of the certificate that the faces to split hold together */
 
-/* What triangle t adds to T certificate: with a, b its sides at corner 0, g their Gram
- * matrix and A its area, grad u . grad u = (u_b^2 g_aa - 2 u_a u_b g_ab + u_a^2 g_bb)/(4 A^2). */
+/* The term of triangle t in the sum for T certificate (adapt.h).  With a, b its sides at
+ * corner 0, g their Gram matrix and A its area, grad u . grad u = (u_b^2 g_aa - 2 u_a u_b g_ab + u_a^2 g_bb)/(4 A^2). */
 static double
 term(const AdaptMap *m, int t)
 {
@@ -46,7 +47,9 @@ larger_first(const void *a, const void *b)
 	return x->t > y->t ? 1 : -1;
 }
 
-/* Marks the fewest triangles that hold SHARE of the certificate, at most `most` of them. */
+/* Marks the triangles with the largest terms, the fewest that hold SHARE of the certificate,
+ * and at most `most`.  Returns how many, or SPD_ENOMEM.  There are none when `most` is 0, and
+ * when rounding leaves no term above 0. */
 static int
 mark(const AdaptMap *m, int most, unsigned char *marked)
 {
@@ -67,7 +70,7 @@ mark(const AdaptMap *m, int most, unsigned char *marked)
 		marked[r[k].t] = 1;
 	}
 	free(r);
-	return 0;
+	return k;
 }
 
 static int
@@ -88,9 +91,10 @@ solve(AdaptMap *m, const Disk *coarse, const int vertex[4], SpdReport *report)
 	return rectmap(&m->d, coarse, m->corner, m->u, m->v, &m->T, &m->certificate, report);
 }
 
-/* The marked faces of d, m's own disk or another one, into four, as m's; frees marked. */
+/* Splits the marked faces of d, which may be m's own disk, into four; m then has the result.
+ * Frees marked. */
 static int
-replace(AdaptMap *m, const Disk *d, unsigned char *marked)
+split_marked(AdaptMap *m, const Disk *d, unsigned char *marked)
 {
 	Disk finer;
 	int e = refine_split(d, marked, &finer);
@@ -104,21 +108,39 @@ replace(AdaptMap *m, const Disk *d, unsigned char *marked)
 	return 0;
 }
 
-/* At most so many of the faces that the certificate asks for into four. */
+/* Splits the faces with the largest terms, at most `most` of them.  Returns how many, or
+ * SPD_ENOMEM. */
 static int
-split(AdaptMap *m, int most)
+split_worst(AdaptMap *m, int most)
 {
 	unsigned char *marked = malloc(m->d.m.nf);
+	int n = marked ? mark(m, most, marked) : SPD_ENOMEM;
 
-	if (!marked || mark(m, most, marked)) {
+	if (n <= 0) {
 		free(marked);
-		return SPD_ENOMEM;
+		return n;
 	}
-	return replace(m, &m->d, marked);
+	return split_marked(m, &m->d, marked) ? SPD_ENOMEM : n;
 }
 
-/* All faces into four, so often as there is room, and quadratic elements on what there was
- * before the last time. */
+/* Splits and solves until the certificate is small enough, or no face can be split. */
+static int
+refine(AdaptMap *a, const AdaptOptions *o, const int vertex[4], SpdReport *report)
+{
+	int e = 0, n = 1;
+
+	while (!e && n > 0 && a->certificate > o->tolerance && a->d.m.nv < o->most) {
+		n = split_worst(a, (o->most - a->d.m.nv)/2);
+		if (n < 0)
+			e = SPD_ENOMEM;
+		else if (n > 0)
+			e = solve(a, NULL, vertex, report);
+	}
+	return e;
+}
+
+/* Splits all faces into four, o->split times or as often as o->most allows, and solves with
+ * quadratic elements on the mesh before the last split. */
 static int
 split_all(AdaptMap *m, const AdaptOptions *o, const int vertex[4], SpdReport *report)
 {
@@ -141,8 +163,9 @@ split_all(AdaptMap *m, const AdaptOptions *o, const int vertex[4], SpdReport *re
 	return e;
 }
 
-/* The faces of d at the corners into four, as m's: where the boundary is smooth the map is
- * singular there, the certificate would ask for it, and a solve is saved. */
+/* Splits the faces of d at the corners into four; m then has the result.  Where the boundary
+ * is smooth the map is singular at a corner, so these faces would be the first to be split
+ * anyway: a solve is saved. */
 static int
 split_corners(AdaptMap *m, const Disk *d, const int vertex[4])
 {
@@ -162,7 +185,7 @@ split_corners(AdaptMap *m, const Disk *d, const int vertex[4])
 		marked[t] = corner[c[0]] | corner[c[1]] | corner[c[2]];
 	}
 	free(corner);
-	return replace(m, d, marked);
+	return split_marked(m, d, marked);
 }
 
 static void *
@@ -173,7 +196,7 @@ duplicate(const void *p, size_t bytes)
 	return q ? memcpy(q, p, bytes) : NULL;
 }
 
-/* The mesh, the loop and the twins of d, nothing shared. */
+/* A deep copy of the mesh, the loop and the twins of d. */
 static int
 copy_disk(const Disk *d, Disk *copy)
 {
@@ -196,11 +219,8 @@ adapt_map(const Disk *d, const int vertex[4], const AdaptOptions *o, AdaptMap *a
 		e = split_corners(a, &a->d, vertex);
 	if (!e)
 		e = solve(a, NULL, vertex, report);
-	while (!e && a->certificate > o->tolerance && a->d.m.nv < o->most) {
-		e = split(a, (o->most - a->d.m.nv)/2);
-		if (!e)
-			e = solve(a, NULL, vertex, report);
-	}
+	if (!e)
+		e = refine(a, o, vertex, report);
 	if (!e)
 		e = split_all(a, o, vertex, report);
 	if (e)
