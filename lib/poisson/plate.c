@@ -1,8 +1,9 @@
-/* plate.c - sine or cosine transforms of three fields at once.
+/* plate.c - division by the eigenvalues of a plate, between sine or cosine transforms.
  *
- * Two-dimensional transforms are made of one-dimensional ones, so that threads share the
- * rows of all three fields and no plan depends on their number.  Columns are taken out
- * a few at a time, transformed, divided by the eigenvalues, transformed back and put back.
+ * Two-dimensional transforms are made of one-dimensional ones: threads share the rows of
+ * all three fields, and no FFTW plan depends on the number of threads.  Columns are copied
+ * out a few at a time, transformed, divided by the eigenvalues, transformed back and copied
+ * in again.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -12,9 +13,9 @@
 
 #include "plate.h"
 
-enum { WIDTH = 8 };             /* columns taken at a time: a line of the cache */
+enum { WIDTH = 8 };             /* columns copied at a time: one cache line */
 
-/* Those of waves first, first + 1, .., n of them, over N steps. */
+/* The n eigenvalues of waves first, first + 1, .. over N steps. */
 static double *
 eigenvalues(int n, int first, int N, double step)
 {
@@ -26,7 +27,7 @@ eigenvalues(int n, int first, int N, double step)
 	return e;
 }
 
-/* Nodes that are unknown, along u or v of so many. */
+/* Number of unknown nodes of n along u or v. */
 static int
 unknown(const Plate *p, int n)
 {
@@ -39,18 +40,17 @@ plate_free(Plate *p)
 	int k;
 
 	for (k = 0; k < 2; k++) {
-		sine_free(&p->sine[k]);
-		cosine_free(&p->cosine[k]);
+		transform_free(&p->transform[k]);
 		free(p->eigenvalue[k]);
 	}
 	fftw_free(p->work);
 	memset(p, 0, sizeof *p);
 }
 
-/* Numbers of work a thread needs, a multiple of a line of the cache: columns, and what a
- * transform needs. */
+/* The workspace of a thread: WIDTH columns, then that of a transform; both are multiples of
+ * a cache line. */
 static size_t
-columns(const Plate *p)
+columns_room(const Plate *p)
 {
 	return ((size_t)WIDTH*p->g.nv + 7)/8*8;
 }
@@ -58,10 +58,9 @@ columns(const Plate *p)
 static size_t
 room(const Plate *p)
 {
-	size_t u = p->free ? cosine_room(&p->cosine[0]) : sine_room(&p->sine[0]);
-	size_t v = p->free ? cosine_room(&p->cosine[1]) : sine_room(&p->sine[1]);
+	size_t u = transform_room(&p->transform[0]), v = transform_room(&p->transform[1]);
 
-	return columns(p) + ((u > v ? u : v) + 7)/8*8;
+	return columns_room(p) + ((u > v ? u : v) + 7)/8*8;
 }
 
 int
@@ -72,10 +71,8 @@ plate_init(Plate *p, Chart g, int free)
 
 	*p = (Plate){ .g = g, .free = free };
 	for (e = k = 0; !e && k < 2; k++) {
-		int n = unknown(p, nodes[k]);
-
-		p->eigenvalue[k] = eigenvalues(n, first, nodes[k] - 1, step[k]);
-		e = free ? cosine_init(&p->cosine[k], n) : sine_init(&p->sine[k], n);
+		p->eigenvalue[k] = eigenvalues(unknown(p, nodes[k]), first, nodes[k] - 1, step[k]);
+		e = transform_init(&p->transform[k], nodes[k] - 1);
 	}
 	if (!e)
 		p->work = fftw_alloc_real(omp_get_max_threads()*room(p));
@@ -89,24 +86,24 @@ static void
 transform(const Plate *p, int along, double *f, double *work)
 {
 	if (p->free)
-		cosine_transform(&p->cosine[along], f, work);
+		transform_cosine(&p->transform[along], f, work);
 	else
-		sine_transform(&p->sine[along], f, work);
+		transform_sine(&p->transform[along], f, work);
 }
 
-/* c of the free plate. */
+/* The constant c of the free plate. */
 static double
 shift(const Plate *p, double b)
 {
 	return p->free ? b*fmin(p->eigenvalue[0][1], p->eigenvalue[1][1]) : 0;
 }
 
-/* `width` columns from column i of the field whose first unknown node is z. */
+/* Solves `width` columns from column i; z is the first unknown node of the field. */
 static void
 solve_columns(const Plate *p, double a, double b, int i, int width, double *column, double *z)
 {
 	int n = unknown(p, p->g.nv), nu = p->g.nu, j, k;
-	double norm = (p->g.nu - 1.0)*(p->g.nv - 1.0)/4, c = shift(p, b), e, *work = column + columns(p);
+	double norm = (p->g.nu - 1.0)*(p->g.nv - 1.0)/4, c = shift(p, b), e, *work = column + columns_room(p);
 
 	for (j = 0; j < n; j++)
 		for (k = 0; k < width; k++)
@@ -140,7 +137,7 @@ transform_rows(const Plate *p, double *z, double *work)
 
 /* z = W^-1 z */
 static void
-unweigh(Chart g, double *z)
+divide_by_weights(Chart g, double *z)
 {
 	int rows = 3*g.nv, i, j;
 
@@ -161,19 +158,19 @@ plate_solve(const Plate *p, double a, double b, double *z)
 	size_t n = (size_t)p->g.nu*p->g.nv, first = p->free ? 0 : p->g.nu + 1;
 
 	if (p->free)
-		unweigh(p->g, z);
+		divide_by_weights(p->g, z);
 #pragma omp parallel
 	{
 		double *column = p->work + omp_get_thread_num()*room(p);
 		int q;
 
-		transform_rows(p, z, column + columns(p));
+		transform_rows(p, z, column + columns_room(p));
 #pragma omp for schedule(static)
 		for (q = 0; q < 3*groups; q++) {
 			int i = q%groups*WIDTH, width = unknowns - i < WIDTH ? unknowns - i : WIDTH;
 
 			solve_columns(p, a, b, i, width, column, z + q/groups*n + first);
 		}
-		transform_rows(p, z, column + columns(p));
+		transform_rows(p, z, column + columns_room(p));
 	}
 }

@@ -1,0 +1,42 @@
+/* transform.h - sine and cosine transforms of a row or column of a grid of N steps.
+ *
+ *   sine    F_k = sum over 0 < j < N of f_j sin(pi j k/N),     0 < k < N
+ *   cosine  F_k = sum over 0 <= j <= N of f_j cos(pi j k/N),   0 <= k <= N,
+ *           the first and the last term halved
+ *
+ * Either one applied twice is N/2 times f.  Both are made of a real Fourier transform of
+ * length N and a running sum (W. H. Press et al., Numerical Recipes, 12.4.1 and 12.4.2).
+ * FFTW's RODFT00 is some digits more accurate for large N but takes three times as long; a
+ * preconditioner needs few digits.
+ */
+#ifndef TRANSFORM_H
+#define TRANSFORM_H
+
+#include <stddef.h>
+
+#include <fftw3.h>
+
+enum { TRANSFORM_ENOMEM = -1 };
+
+typedef struct Transform {
+	int        N;           /* steps, >= 1 */
+	double    *sines;       /* [N] sin(pi j/N) */
+	double    *cosines;     /* [N] cos(pi j/N) */
+	fftw_plan  plan;
+} Transform;
+
+/* Returns 0 or TRANSFORM_ENOMEM; t then holds nothing to free. */
+int  transform_init(Transform *t, int N);
+void transform_free(Transform *t);
+
+/* Size of the workspace of one transform, fftw_alloc_real(transform_room(t)); every thread
+ * needs its own. */
+size_t transform_room(const Transform *t);
+
+/* In place: the N - 1 numbers f_1 .. f_{N-1}, N >= 2. */
+void transform_sine(const Transform *t, double *f, double *work);
+
+/* In place: the N + 1 numbers f_0 .. f_N. */
+void transform_cosine(const Transform *t, double *f, double *work);
+
+#endif
