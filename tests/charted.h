@@ -4,6 +4,7 @@
 #define CHARTED_H
 
 #include <math.h>
+#include <string.h>
 
 #include "../lib/sample/clough.h"
 #include "../lib/synth/delaunay.h"
@@ -15,7 +16,7 @@ typedef struct Charted {
 	Mesh           m;
 	double        *u, *v;
 	Jet           *jet;
-	GradientReport report;
+	int            low, limited;    /* vertices in these states (gradient.h) */
 	Clough         c;
 } Charted;
 
@@ -93,7 +94,21 @@ charted_place(Charted *s, Surface *f)
 static inline void
 charted_fit(Charted *s)
 {
-	assert_int_equal(gradient_fit(&s->m, s->u, s->v, s->jet, &s->report), 0);
+	unsigned char *state = malloc(s->m.nv + 1);
+	Stars stars;
+	int i;
+
+	assert_non_null(state);
+	memset(state, GRADIENT_WANTED, s->m.nv);
+	assert_int_equal(stars_init(&stars, &s->m), 0);
+	gradient_fit(&stars, &s->m, s->u, s->v, state, s->jet);
+	for (s->low = s->limited = i = 0; i < s->m.nv; i++) {
+		assert_true(state[i] & GRADIENT_KNOWN);
+		s->low += (state[i] & GRADIENT_LOW) != 0;
+		s->limited += (state[i] & GRADIENT_LIMITED) != 0;
+	}
+	stars_free(&stars);
+	free(state);
 	s->c = (Clough){ &s->m, s->u, s->v, s->jet };
 }
 

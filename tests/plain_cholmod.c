@@ -19,6 +19,7 @@
 #include "../lib/meshfile/meshfile.h"
 #include "../lib/map/rectmap.h"
 #include "../lib/base/vec3.h"
+#include "cotapply.h"
 
 static void
 quit(const char *why)

@@ -11,6 +11,7 @@
 #include "../lib/sample/sampler.h"
 #include "surfaces.h"
 #include "synthdisk.h"
+#include "cotapply.h"
 
 /* A mapped synthetic surface: the corners are its vertices 0 1 2 3. */
 typedef struct Mapped {

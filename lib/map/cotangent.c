@@ -1,5 +1,5 @@
-/* cotangent.c - angles, the matrix and its energy.  Sums are made in an order that
- * knows nothing of threads. */
+/* cotangent.c - cotangent weights, the matrix and its energy.  The order of summation does
+ * not depend on the number of threads. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,7 +8,7 @@
 
 enum { BLOCK = 8192 };  /* triangles summed by one thread */
 
-/* Half the cotangent of each angle of triangle t: w[k] belongs to the edge that faces
+/* Half the cotangent of each angle of triangle t; w[k] is the weight of the edge opposite to
  * corner k. */
 static void
 half_cotangents(const Mesh *m, int t, double w[3])
@@ -24,25 +24,6 @@ half_cotangents(const Mesh *m, int t, double w[3])
 		sub3(&m->xyz[3*(size_t)c[(k+2)%3]], x, b);
 		cross3(a, b, n);
 		w[k] = dot3(a, b)/(2*norm3(n));
-	}
-}
-
-void
-cotangent_apply(const Mesh *m, const double *x, double *y)
-{
-	double w[3], flow;
-	int t, k;
-
-	memset(y, 0, m->nv*sizeof *y);
-	for (t = 0; t < m->nf; t++) {
-		half_cotangents(m, t, w);
-		for (k = 0; k < 3; k++) {
-			int i = m->tri[3*(size_t)t + (k+1)%3], j = m->tri[3*(size_t)t + (k+2)%3];
-
-			flow = w[k]*(x[i] - x[j]);
-			y[i] += flow;
-			y[j] -= flow;
-		}
 	}
 }
 
@@ -83,9 +64,9 @@ cotangent_energy(const Mesh *m, const double *u, const double *v, double *Eu, do
 	return 0;
 }
 
-/* Row i has one place for every side of a face that starts at i, and for the boundary
- * edge that ends there.  place[3*t + k] is that of the side that faces corner k of face
- * t; next is [nv] scratch. */
+/* Row i has one entry for every side of a face that starts at i, and one for the boundary
+ * edge that ends there.  place[3*t + k] is the entry of the side opposite to corner k of face
+ * t; next is workspace, [nv]. */
 static void
 find_places(Cotangent *C, const Disk *d, int *next)
 {
@@ -111,7 +92,7 @@ find_places(Cotangent *C, const Disk *d, int *next)
 		C->g.adj[next[d->loop[(i+1)%d->nb]]++] = d->loop[i];
 }
 
-/* Both places of an edge get the sum of the two. */
+/* Adds the matrix to its transpose: both entries of an edge of vertex i get their sum. */
 static void
 add_transpose(Cotangent *C, int i)
 {
@@ -127,9 +108,9 @@ add_transpose(Cotangent *C, int i)
 		}
 }
 
-/* The angles of a triangle go to the places of its sides. */
+/* Enters the weights of triangle t for its sides. */
 static void
-put_angles(Cotangent *C, const Mesh *m, int t)
+enter_weights(Cotangent *C, const Mesh *m, int t)
 {
 	double w[3];
 	int k;
@@ -167,7 +148,7 @@ cotangent_values(Cotangent *C, const Disk *d)
 
 #pragma omp parallel for
 	for (i = 0; i < d->m.nf; i++)
-		put_angles(C, &d->m, i);
+		enter_weights(C, &d->m, i);
 #pragma omp parallel for schedule(static)
 	for (i = 0; i < d->m.nv; i++)
 		add_transpose(C, i);
@@ -185,7 +166,8 @@ cotangent_init(Cotangent *C, const Disk *d)
 	return e;
 }
 
-/* Row i of a matrix, scaled, to place k of another; returns the place behind. */
+/* Appends row i of C, times a factor, to another matrix from entry k on; returns the entry
+ * after it. */
 static int
 append_row(Cotangent *to, int k, const Cotangent *C, int i, double factor)
 {

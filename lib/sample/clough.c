@@ -1,7 +1,7 @@
-/* clough.c - the split triangle by its Bezier ordinates.
+/* clough.c - Clough-Tocher interpolant by the Bezier ordinates of the split triangle.
  *
- * Ordinates are points of R^3.  Of the part i, j, S that lies at side k (i = k+1, j = k+2
- * modulo 3, S the centroid):
+ * Ordinates are points of R^3.  The part at side k has the corners i, j, S (i = k+1,
+ * j = k+2 modulo 3, S the centroid); its ordinates are
  *
  *   f_i                  the vertex
  *   t_ij = f_i + phi'_i(e_ij)/3                     on the side, next to i
@@ -17,15 +17,16 @@
 #include "clough.h"
 #include "../base/vec3.h"
 
-typedef struct Net {
+/* The ordinates of a triangle, but for those near S. */
+typedef struct Ordinates {
 	const double *f[3];
 	double t[3][2][3];      /* t[i][0] towards i+1, t[i][1] towards i+2 */
 	double a[3][3], c[3][3];
-} Net;
+} Ordinates;
 
 /* out = phi'(du,dv) at a vertex. */
 static void
-slope(const Jet *jet, double du, double dv, double out[3])
+derivative(const Jet *jet, double du, double dv, double out[3])
 {
 	int c;
 
@@ -33,10 +34,11 @@ slope(const Jet *jet, double du, double dv, double out[3])
 		out[c] = jet->u[c]*du + jet->v[c]*dv;
 }
 
-/* The derivative at the middle of side i j along (xu,xv): that of the sum of both ends'
- * jets across the side, that of the cubic on the side along it. */
+/* The derivative at the middle of side i j in direction (xu,xv).  Its part across the side is
+ * that of clough.h, from the jets at both ends; its part along the side is that of the cubic
+ * on the side. */
 static void
-middle_slope(const Clough *c, int i, int j, double xu, double xv, double out[3])
+middle_derivative(const Clough *c, int i, int j, double xu, double xv, double out[3])
 {
 	const Jet *p = &c->jet[i], *q = &c->jet[j];
 	const double *f = &c->m->xyz[3*i], *g = &c->m->xyz[3*j];
@@ -55,10 +57,10 @@ middle_slope(const Clough *c, int i, int j, double xu, double xv, double out[3])
 	}
 }
 
-/* Holds c_k within GRADIENT_BEND/3 of the longest side L from where a flat triangle has
- * it, at a third of i, j and S.  Returns whether it had to be moved. */
+/* Moves c_k to within GRADIENT_BEND/3 of the longest side L from its place in a flat triangle,
+ * the mean of i, j and S.  Returns whether it had to be moved. */
 static int
-hold(const Net *n, int k, double L, double ck[3])
+limit(const Ordinates *n, int k, double L, double ck[3])
 {
 	double flat[3], d[3], far;
 	int i = (k+1)%3, j = (k+2)%3, c;
@@ -75,7 +77,7 @@ hold(const Net *n, int k, double L, double ck[3])
 }
 
 static double
-longest(const Net *n)
+longest(const Ordinates *n)
 {
 	double d[3], most = 0;
 	int k;
@@ -87,22 +89,23 @@ longest(const Net *n)
 	return most;
 }
 
+/* The ordinate c_k. */
 static void
-middle(const Clough *cl, const int *tri, Net *n, int k)
+middle_ordinate(const Clough *cl, const int *tri, Ordinates *n, int k)
 {
 	int i = (k+1)%3, j = (k+2)%3, c;
 	double xu = (cl->u[tri[k]] - (cl->u[tri[i]] + cl->u[tri[j]])/2)/3;
 	double xv = (cl->v[tri[k]] - (cl->v[tri[i]] + cl->v[tri[j]])/2)/3, D[3];
 
-	middle_slope(cl, tri[i], tri[j], xu, xv, D);
+	middle_derivative(cl, tri[i], tri[j], xu, xv, D);
 	for (c = 0; c < 3; c++)
 		n->c[k][c] = 2*D[c]/3 - (n->a[i][c] + n->a[j][c])/2
 		    + (n->f[i][c] + 3*n->t[i][0][c] + 3*n->t[j][1][c] + n->f[j][c])/4;
 }
 
-/* All ordinates of triangle t but those near S; the number of limited sides. */
+/* Returns the number of limited sides of triangle t. */
 static int
-net(const Clough *cl, int t, Net *n)
+ordinates(const Clough *cl, int t, Ordinates *n)
 {
 	const int *tri = &cl->m->tri[3*t];
 	int i, k, c, limited = 0;
@@ -114,7 +117,7 @@ net(const Clough *cl, int t, Net *n)
 		for (k = 0; k < 2; k++) {
 			int j = tri[(i+1+k)%3];
 
-			slope(&cl->jet[tri[i]], cl->u[j] - cl->u[tri[i]], cl->v[j] - cl->v[tri[i]], d);
+			derivative(&cl->jet[tri[i]], cl->u[j] - cl->u[tri[i]], cl->v[j] - cl->v[tri[i]], d);
 			for (c = 0; c < 3; c++)
 				n->t[i][k][c] = n->f[i][c] + d[c]/3;
 		}
@@ -123,18 +126,18 @@ net(const Clough *cl, int t, Net *n)
 	}
 	L = longest(n);
 	for (k = 0; k < 3; k++) {
-		middle(cl, tri, n, k);
-		limited += hold(n, k, L, n->c[k]);
+		middle_ordinate(cl, tri, n, k);
+		limited += limit(n, k, L, n->c[k]);
 	}
 	return limited;
 }
 
-void
+int
 clough_eval(const Clough *cl, int t, const double bary[3], double phi[3])
 {
-	int k = bary[0] < bary[1] ? 0 : 1, i, j, c;
+	int k = bary[0] < bary[1] ? 0 : 1, i, j, c, limited;
 	double x, y, z;
-	Net n;
+	Ordinates n;
 
 	if (bary[2] < bary[k])
 		k = 2;
@@ -142,7 +145,7 @@ clough_eval(const Clough *cl, int t, const double bary[3], double phi[3])
 	x = bary[i] - bary[k];
 	y = bary[j] - bary[k];
 	z = 3*bary[k];
-	net(cl, t, &n);
+	limited = ordinates(cl, t, &n);
 	for (c = 0; c < 3; c++) {
 		double q[3], s;
 		int l;
@@ -154,25 +157,5 @@ clough_eval(const Clough *cl, int t, const double bary[3], double phi[3])
 		    + 3*(x*y*(x*n.t[i][0][c] + y*n.t[j][1][c]) + x*z*(x*n.a[i][c] + z*q[i])
 		    + y*z*(y*n.a[j][c] + z*q[j])) + 6*x*y*z*n.c[k][c];
 	}
-}
-
-void
-clough_side(const Clough *cl, int i, int j, double s, double phi[3])
-{
-	const double *f = &cl->m->xyz[3*i], *g = &cl->m->xyz[3*j];
-	double du = cl->u[j] - cl->u[i], dv = cl->v[j] - cl->v[i], r = 1 - s, p[3], q[3];
-	int c;
-
-	slope(&cl->jet[i], du, dv, p);
-	slope(&cl->jet[j], -du, -dv, q);
-	for (c = 0; c < 3; c++)
-		phi[c] = r*r*r*f[c] + 3*r*s*(r*(f[c] + p[c]/3) + s*(g[c] + q[c]/3)) + s*s*s*g[c];
-}
-
-int
-clough_limited(const Clough *cl, int t)
-{
-	Net n;
-
-	return net(cl, t, &n);
+	return limited;
 }

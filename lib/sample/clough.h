@@ -2,23 +2,24 @@
  *
  * Each triangle of the (u,v) plane is split at its centroid; on the three parts phi is a
  * cubic each, joined so that phi and its first derivatives are continuous within the
- * triangle and over its sides.  It takes at the vertices the positions and the first
- * derivatives of the jets; on a side, the cubic those at its ends demand; and at the
- * middle of a side the derivative across it that a cubic with the jets at the ends has,
+ * triangle and over its sides.  At the vertices it has the positions and the first
+ * derivatives of the jets; on a side it is the cubic given by those at the two ends; and at
+ * the middle of a side its derivative across the side is that of a cubic with the jets at the
+ * ends,
  *
  *   phi'(M) = (phi'_i + phi'_j)/2 + (phi''_i - phi''_j)(e)/8,   e from i to j.
  *
- * The classical element takes a derivative that is linear along the side instead (the first
- * term); it is exact for quadratics only, and H then does not converge faster than
+ * In the classical element that derivative is linear along the side instead (the first
+ * term only); it is exact for quadratics only, and H then does not converge faster than
  * linearly.  This one is exact for cubics: O(h^4) for phi, O(h^2) for second derivatives.
  *
  * No formula divides by the area of a triangle: one that is degenerate or turned over in
- * (u,v) has its interpolant like any other, and neighbours agree along the side.
+ * (u,v) has an interpolant like any other, and it meets its neighbours along the sides.
  *
- * Limit.  Nowhere does phi leave the flat triangle, at the same barycentric coordinates, by
- * more than GRADIENT_BEND/3 = 1/2 of the triangle's longest side in R^3: along the sides
- * that follows from the limits of gradient.h; inside, the derivatives across the sides are
- * held to it.  A triangle limited so is continuous with its neighbours but has no
+ * Limit.  The distance of phi from the flat triangle, at the same barycentric coordinates, is
+ * nowhere more than GRADIENT_BEND/3 = 1/2 of the triangle's longest side in R^3.  Along the
+ * sides that follows from the limits of gradient.h; inside, the derivatives across the sides
+ * are limited.  A triangle limited in this way is continuous with its neighbours but has no
  * common tangent plane with them.
  */
 #ifndef CLOUGH_H
@@ -33,13 +34,8 @@ typedef struct Clough {
 } Clough;
 
 /* phi at barycentric coordinates bary, of sum 1, of triangle t.  Slightly negative ones
- * continue the cubic next to the side.  Exact at the vertices. */
-void clough_eval(const Clough *c, int t, const double bary[3], double phi[3]);
-
-/* phi at (1-s) i + s j on the side i j, 0 <= s <= 1: what clough_eval gives there. */
-void clough_side(const Clough *c, int i, int j, double s, double phi[3]);
-
-/* Sides of triangle t across which the derivative was limited: 0 to 3. */
-int clough_limited(const Clough *c, int t);
+ * continue the cubic next to the side.  Exact at the vertices.  Returns the number of sides
+ * of t across which the derivative was limited, 0 to 3. */
+int clough_eval(const Clough *c, int t, const double bary[3], double phi[3]);
 
 #endif

@@ -1,4 +1,4 @@
-/* gradient.c - neighbourhoods, and the limits on what is fitted there. */
+/* gradient.c - neighbourhoods of the vertices, and the limits on the fitted derivatives. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,10 +7,10 @@
 #include "../base/vec3.h"
 
 enum {
-	WANT  = 15,     /* rings are added below so many points */
-	RINGS = 6,
-	FAN   = 16      /* triangles of one vertex that are followed: a hub of a million
-	                 * triangles must not cost its neighbours a million each */
+	ENOUGH = 15,    /* rings are added until there are more points than this .. */
+	RINGS  = 6,     /* .. or so many rings */
+	FAN    = 16     /* at most about so many triangles of a vertex are visited: a hub of a
+	                 * million triangles must not cost its neighbours a million each */
 };
 
 int
@@ -55,9 +55,9 @@ join(Hood *h, int v)
 	h->slot[k] = h->n;
 }
 
-/* The neighbours of vertex i, or some of a hub's.  Where its triangles close round it every one
- * begins a side opposite to i as well as ending one; where they do not, the ends of those sides
- * leave a remainder when the beginnings are taken off. */
+/* Adds the neighbours of vertex i; of a hub, some.  Every side opposite to i adds its first end.
+ * If the triangles close round i, these are all neighbours: the last ends are the same vertices,
+ * so the differences sum to 0.  If that sum is not 0, the last ends are added as well. */
 static void
 join_neighbours(const Mesh *m, const Stars *s, Hood *h, int i)
 {
@@ -98,9 +98,9 @@ longest2(const Mesh *m, const int *tri)
 	return most;
 }
 
-/* Along the side i j: the step d in R^3, what phi' misses of it, and phi''/8. */
+/* Along the side i j: the step d in R^3, the error phi'(e) - d, and phi''(e,e)/8. */
 static void
-along(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j,
+side_terms(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j,
 	double d[3], double first[3], double second[3])
 {
 	double du = u[j] - u[i], dv = v[j] - v[i];
@@ -113,15 +113,15 @@ along(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, in
 	}
 }
 
-/* By how much the jet at i may be scaled to keep the limits along the side i j of a
- * triangle with longest side L, L2 its square: 1 if it keeps them as it is.
+/* The factor by which the jet at i must be scaled to keep the limits along the side i j of a
+ * triangle with longest side L, L2 its square: 1 if it keeps them already.
  * |s phi'(e) - d| is at most s |phi'(e) - d| + (1 - s) |d|. */
 static double
-room(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j, double L2)
+side_factor(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j, double L2)
 {
 	double d[3], first[3], second[3], bend, turn, L, s = 1;
 
-	along(m, u, v, jet, i, j, d, first, second);
+	side_terms(m, u, v, jet, i, j, d, first, second);
 	bend = dot3(first, first);
 	turn = dot3(second, second);
 	if (bend <= GRADIENT_BEND*GRADIENT_BEND*L2 && turn <= GRADIENT_BEND*GRADIENT_BEND*L2)
@@ -138,16 +138,16 @@ room(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int
 	return fmax(s, 0);
 }
 
-/* Does the jet at v[0] keep the limits with every side to the vertices v[1], .. in place
- * of longer ones?  That is nearly always so. */
+/* A quick test that nearly always passes: the jet at ring[0] keeps the limits along the sides
+ * to ring[1], .., with the length of each side in place of the longest of its triangle. */
 static int
-keeps(const Mesh *m, const double *u, const double *v, const Jet *jet, const int *ring, int n)
+clearly_within(const Mesh *m, const double *u, const double *v, const Jet *jet, const int *ring, int n)
 {
 	double d[3], first[3], second[3], L2;
 	int k;
 
 	for (k = 1; k < n; k++) {
-		along(m, u, v, jet, ring[0], ring[k], d, first, second);
+		side_terms(m, u, v, jet, ring[0], ring[k], d, first, second);
 		L2 = GRADIENT_BEND*GRADIENT_BEND*dot3(d, d);
 		if (!(dot3(first, first) <= L2 && dot3(second, second) <= L2))
 			return 0;
@@ -155,8 +155,9 @@ keeps(const Mesh *m, const double *u, const double *v, const Jet *jet, const int
 	return 1;
 }
 
+/* The same for all triangles at i. */
 static double
-least_room(const Mesh *m, const Stars *s, const double *u, const double *v, const Jet *jet, int i)
+limiting_factor(const Mesh *m, const Stars *s, const double *u, const double *v, const Jet *jet, int i)
 {
 	double least = 1, L2;
 	int l, k;
@@ -167,7 +168,7 @@ least_room(const Mesh *m, const Stars *s, const double *u, const double *v, cons
 		L2 = longest2(m, tri);
 		for (k = 0; k < 3; k++)
 			if (tri[k] != i)
-				least = fmin(least, room(m, u, v, jet, i, tri[k], L2));
+				least = fmin(least, side_factor(m, u, v, jet, i, tri[k], L2));
 	}
 	return least;
 }
@@ -185,14 +186,13 @@ scale(Jet *jet, double s)
 	}
 }
 
-/* The jet at vertex i.  Returns 1 when a term is missing, 2 when it was limited, or the
- * sum. */
+/* The jet at vertex i.  Returns GRADIENT_LOW, GRADIENT_LIMITED, both or 0. */
 static int
-vertex(const Mesh *m, const Stars *s, const double *u, const double *v, int i, Jet *jet)
+fit_vertex(const Mesh *m, const Stars *s, const double *u, const double *v, int i, Jet *jet)
 {
 	Hood h = { 0 };
 	double most = 0;
-	int ring, degree, near = 0;      /* members of the first ring */
+	int ring, degree, near = 0;      /* size of the hood at the first ring */
 	Polyfit f;
 
 	join(&h, i);
@@ -200,53 +200,30 @@ vertex(const Mesh *m, const Stars *s, const double *u, const double *v, int i, J
 		grow(m, s, &h);
 		if (ring == 1)
 			near = h.n;
-		if (ring < 2 || (h.n <= WANT && ring < RINGS))
+		if (ring < 2 || (h.n <= ENOUGH && ring < RINGS))
 			continue;
 		polyfit(&f, &h, m, u, v);
 	}
 	for (degree = 3; degree > 0; degree--) {
 		polyfit_jet(&f, degree, jet);
-		most = s->first[i+1] - s->first[i] <= FAN && keeps(m, u, v, jet, h.v, near) ? 1
-		    : least_room(m, s, u, v, jet, i);
+		most = s->first[i+1] - s->first[i] <= FAN && clearly_within(m, u, v, jet, h.v, near) ? 1
+		    : limiting_factor(m, s, u, v, jet, i);
 		if (most >= 1)
 			break;
 	}
 	if (most < 1)
 		scale(jet, most);
-	return (f.rank < POLYFIT_TERMS) + 2*(degree < 3);
+	return (f.rank < POLYFIT_TERMS ? GRADIENT_LOW : 0) | (degree < 3 ? GRADIENT_LIMITED : 0);
 }
 
 void
-gradient_some(const Stars *s, const Mesh *m, const double *u, const double *v, unsigned char *want,
+gradient_fit(const Stars *s, const Mesh *m, const double *u, const double *v, unsigned char *state,
 	Jet *jet)
 {
 	int i;
 
 #pragma omp parallel for schedule(dynamic, 256)
 	for (i = 0; i < m->nv; i++)
-		if (want[i] == GRADIENT_WANTED) {
-			vertex(m, s, u, v, i, &jet[i]);
-			want[i] = GRADIENT_KNOWN;
-		}
-}
-
-int
-gradient_fit(const Mesh *m, const double *u, const double *v, Jet *jet, GradientReport *report)
-{
-	int i, low = 0, limited = 0;
-	Stars s;
-
-	if (stars_init(&s, m))
-		return GRADIENT_ENOMEM;
-#pragma omp parallel for schedule(dynamic, 256) reduction(+:low, limited)
-	for (i = 0; i < m->nv; i++) {
-		int said = vertex(m, &s, u, v, i, &jet[i]);
-
-		low += said & 1;
-		limited += said >> 1;
-	}
-	if (report)
-		*report = (GradientReport){ low, limited };
-	stars_free(&s);
-	return 0;
+		if (state[i] == GRADIENT_WANTED)
+			state[i] = GRADIENT_KNOWN | fit_vertex(m, s, u, v, i, &jet[i]);
 }

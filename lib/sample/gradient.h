@@ -15,15 +15,15 @@
  * exact.
  *
  * Limits.  Creases, noise and overlapping triangles must not make an interpolant of these
- * derivatives shoot over.  With e the step in (u,v) from i to another vertex of a triangle
+ * derivatives overshoot.  With e the step in (u,v) from i to another vertex of a triangle
  * at i, d the step in R^3, and L the longest side of that triangle in R^3,
  *
  *   |phi'(e) - d| <= GRADIENT_BEND L,     |phi''(e,e)|/8 <= GRADIENT_BEND L.
  *
- * Where that fails the fit is cut to its second degree, else its first, else that is
- * scaled down until it holds.  Nothing is cut on the smooth surfaces of mkmesh from 60
- * vertices on, nor at z -> z^2, which the map of a smooth boundary is at a corner of the
- * rectangle; of the vertices of scans and cortices with their discrete (u,v), none to two
+ * Where that fails the fit is cut to its second degree; if that fails too, to its first; if
+ * that fails as well, the first degree is scaled down until it holds.  Nothing is cut on the smooth surfaces of mkmesh from 60
+ * vertices on, nor near z -> z^2, the local form of the map where a corner of the
+ * rectangle lies on a smooth boundary; of the vertices of scans and cortices with their discrete (u,v), none to two
  * in a thousand, of the worst (faces of 2000 vertices, coarse heads) three in a hundred.
  */
 #ifndef GRADIENT_H
@@ -40,11 +40,6 @@ typedef struct Jet {
 	double u[3], v[3], uu[3], uv[3], vv[3];
 } Jet;
 
-typedef struct GradientReport {
-	int low;                /* vertices whose polynomial lacks a term of the nine */
-	int limited;            /* vertices whose polynomial was cut or scaled */
-} GradientReport;
-
 /* The triangles at vertex i: side[first[i]] .. side[first[i+1]-1], as 3*t + k where i is
  * corner k of t. */
 typedef struct Stars {
@@ -55,22 +50,25 @@ typedef struct Stars {
 int  stars_init(Stars *s, const Mesh *m);
 void stars_free(Stars *s);
 
-/* The derivatives at all vertices, finite for finite u, v and phi up to 1e100 in size; 0 at
- * a vertex of no triangle.  Threads, and the result does not depend on their number; time
- * and memory linear in the mesh.
- *
- * m        in   phi = m->xyz; the mesh need not be a disk
- * u, v     in   [nv]; triangles may be degenerate or turned over in (u,v)
- * jet      out  [nv]
- * report   out  may be NULL
- *
- * Returns 0 or GRADIENT_ENOMEM. */
-int gradient_fit(const Mesh *m, const double *u, const double *v, Jet *jet, GradientReport *report);
+/* State of a vertex: a caller sets GRADIENT_WANTED; the fit replaces it by GRADIENT_KNOWN,
+ * with one or both of the other two added. */
+enum {
+	GRADIENT_WANTED  = 1,
+	GRADIENT_KNOWN   = 2,
+	GRADIENT_LOW     = 4,   /* the polynomial lacks a term of the nine */
+	GRADIENT_LIMITED = 8    /* the polynomial was cut or scaled */
+};
 
-enum { GRADIENT_WANTED = 1, GRADIENT_KNOWN = 2 };
-
-/* The same at those vertices of which want[i] says so; it then says that they are known. */
-void gradient_some(const Stars *s, const Mesh *m, const double *u, const double *v,
-	unsigned char *want, Jet *jet);
+/* The derivatives at the vertices in state GRADIENT_WANTED, finite for finite u, v and phi up
+ * to 1e100 in size; 0 at a vertex of no triangle.  Runs in threads, and the result does not
+ * depend on their number; time and memory are linear in the mesh.
+ *
+ * s        in      the triangles at each vertex of m
+ * m        in      phi = m->xyz; the mesh need not be a disk
+ * u, v     in      [nv]; triangles may be degenerate or turned over in (u,v)
+ * state    in/out  [nv]
+ * jet      out     [nv], set where state was GRADIENT_WANTED */
+void gradient_fit(const Stars *s, const Mesh *m, const double *u, const double *v,
+	unsigned char *state, Jet *jet);
 
 #endif

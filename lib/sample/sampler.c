@@ -112,7 +112,7 @@ sample_places(const Sampler *s, const Mesh *m, unsigned char *state, Jet *jet, i
 
 	if (s->surface == SAMPLER_SMOOTH) {
 		mark_corners(m, n, place, state);
-		gradient_some(&s->stars, m, s->l.u, s->l.v, state, jet);
+		gradient_fit(&s->stars, m, s->l.u, s->l.v, state, jet);
 	}
 	#pragma omp parallel for schedule(static)
 	for (p = 0; p < n; p++) {
