@@ -177,7 +177,7 @@ coincident_vertices(void **state)
 	}
 	charted_place(&s, cubic);
 	charted_fit(&s);
-	assert_int_equal(s.report.low + s.report.limited, 0);
+	assert_int_equal(s.low + s.limited, 0);
 	for (t = 0; t < s.m.nf; t++) {
 		place_of(&s, t, b, &u, &v);
 		clough_eval(&s.c, t, b, phi);

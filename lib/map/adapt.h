@@ -1,39 +1,41 @@
-/* adapt.h - the conformal map of a disk, its facets split where the map errs most. */
+/* adapt.h - the conformal map of a disk, with adaptive splitting of facets
+ * (doc/mathematics.md 3.3). */
 #ifndef ADAPT_H
 #define ADAPT_H
 
 #include "../mesh/mesh.h"
 #include "../sparse/spd.h"
 
-/* With v = T v1 the energies of a map say E(u) + T^2 E(v1) = 2 T (1 + certificate), and
- * the image has area T: so the certificate is a sum over triangles,
+/* With v = T v1 the energies of a map satisfy E(u) + T^2 E(v1) = 2 T (1 + certificate), and
+ * the image has area T.  So the certificate is a sum over triangles,
  *
  *   T certificate = sum (|grad u|^2 + |grad v|^2) A/2 - (area of the image),
  *
- * each term >= 0 and 0 only where the triangle is mapped conformally: it says which
- * triangles to split.
+ * in which each term is >= 0, and 0 only if the triangle is mapped conformally.  The triangles
+ * with the largest terms are split.
  *
- * Splitting all of them at last gives the midpoints of their sides to quadratic elements,
- * which make (u,v) smooth: with linear ones every vertex errs by O(h^2) in its own way, which
- * costs H its second order. */
+ * In the end all triangles are split, and quadratic elements use the midpoints of their sides.
+ * Linear elements have an error O(h^2) that jumps from vertex to vertex, with which H does not
+ * converge to second order; with quadratic ones (u,v) is smooth. */
 typedef struct AdaptOptions {
-	double tolerance;       /* below 1: split the facets at the corners three times, then
-	                         * those with the largest terms until this is met.. */
-	int    split;           /* ..then every facet into four, so often.. */
-	int    most;            /* ..neither beyond about so many vertices */
+	double tolerance;       /* of the certificate; below 1, the facets at the corners are
+	                         * split three times, then those with the largest terms until
+	                         * the certificate is no larger than this */
+	int    split;           /* how often every facet is then split into four */
+	int    most;            /* both stop at about this many vertices */
 } AdaptOptions;
 
 typedef struct AdaptMap {
-	Disk    d;              /* the triangulation solved on last; its first vertices are
-	                         * those of the disk given */
-	int     corner[4];      /* in its loop */
+	Disk    d;              /* the triangulation of the last solve; its first vertices
+	                         * are those of the given disk */
+	int     corner[4];      /* indices into its loop */
 	double *u, *v, T, certificate;
-	int     rounds;         /* of splitting */
-	int     quadratic;      /* the elements of the last solve */
+	int     rounds;         /* of splitting done */
+	int     quadratic;      /* 1 if the last solve was with quadratic elements */
 } AdaptMap;
 
 /* vertex: the corners, as vertex numbers.  Returns 0, or SPD_ENOMEM, SPD_EINDEFINITE,
- * SPD_ELARGE; a then holds nothing to free. */
+ * SPD_ELARGE; on an error a holds nothing to free. */
 int adapt_map(const Disk *d, const int vertex[4], const AdaptOptions *options, AdaptMap *a,
 	SpdReport *report);
 

@@ -5,11 +5,13 @@
 #include "conformal.h"
 #include "untangle.h"
 
-/* Mean residual coefficient below which no polish is worth its time: H then errs by the
- * roughness of (u,v) of linear elements; with quadratic ones, by what the polish leaves. */
+/* Mean modulus of the Beltrami coefficient below which a grid from linear elements is not
+ * polished: the error of H then comes from the roughness of (u,v), and polishing gains nothing.
+ * With quadratic elements it comes from what the polish leaves, so those are always polished. */
 static const double ENOUGH = 2e-4;
 
-/* Sample the mesh of the map and polish the grid; the vertices of d are carried along. */
+/* Samples the mesh of the map and polishes the grid; the polish moves the vertices of d in the
+ * chart with it. */
 static int
 sample(const Disk *d, const AdaptMap *a, Chart g, const ConformalOptions *options, Conformal *c)
 {
@@ -30,9 +32,10 @@ sample(const Disk *d, const AdaptMap *a, Chart g, const ConformalOptions *option
 	return e ? SPD_ENOMEM : 0;
 }
 
-/* The triangles that will be sampled stand upright, or there are turned ones. */
+/* Untangles the triangulation that will be sampled.  CONFORMAL_ETURNED if some triangles stay
+ * turned and the options do not allow it. */
 static int
-set_right(const Disk *d, const int corner[4], AdaptMap *a, const ConformalOptions *options, Conformal *c)
+untangle_sampled(const Disk *d, const int corner[4], AdaptMap *a, const ConformalOptions *options, Conformal *c)
 {
 	int e = options->surface == SAMPLER_SMOOTH ? untangle(d, corner, a->u, a->v, &c->turned)
 	    : untangle(&a->d, a->corner, a->u, a->v, &c->turned);
@@ -59,7 +62,7 @@ conformal_grid(const Disk *d, const int corner[4], Chart g, const ConformalOptio
 	c->vertices = a.d.m.nv;
 	c->u = malloc(d->m.nv*sizeof *c->u);
 	c->v = malloc(d->m.nv*sizeof *c->v);
-	e = c->u && c->v ? set_right(d, corner, &a, options, c) : SPD_ENOMEM;
+	e = c->u && c->v ? untangle_sampled(d, corner, &a, options, c) : SPD_ENOMEM;
 	if (!e)
 		e = sample(d, &a, g, options, c);
 	adapt_free(&a);

@@ -1,15 +1,15 @@
-/* corners.c - corners of the quadrilateral. */
+/* corners.c - the corners, by the turning angles of the boundary. */
 #include <stdlib.h>
 
 #include "corners.h"
 #include "../base/vec3.h"
 
-static const double REACH = 1.0/40;             /* of the loop, for chords: the first .. */
-static const double SHORT = 1.5;                /* .. and the last, in mean edges */
-static const double CLEAR = 50*M_PI/180;        /* least turn of a corner */
-static const double NEXT = 0.6;                 /* most turn of the fifth, of the fourth's */
+static const double REACH = 1.0/40;             /* length of the chords over that of the loop, first value */
+static const double SHORT = 1.5;                /* .. and its last, in mean edges */
+static const double CLEAR = 50*M_PI/180;        /* least turning angle of a corner */
+static const double NEXT = 0.6;                 /* largest turn of the fifth vertex over that of the fourth */
 
-/* The boundary by arc length: s[i] from the start to loop vertex i, s[nb] the whole. */
+/* The boundary by arc length: s[i] from the start to loop vertex i, s[nb] its length. */
 static double *
 arc_length(const Disk *d)
 {
@@ -51,10 +51,10 @@ add_normal(const Mesh *m, const int *t, double unit, double *n)
 			n[3*t[i] + k] += c[k];
 }
 
-/* The sum of the normals of a vertex's faces, for those of the loop.  Lengths are taken in
- * units of the loop, here and in turn, so that no product leaves the range of numbers. */
+/* The sum of the normals of the faces at each vertex of the loop.  The unit of length is the
+ * length of the loop, here and in turn(), so that no product overflows. */
 static double *
-normals(const Disk *d, double unit)
+boundary_normals(const Disk *d, double unit)
 {
 	double *n = calloc(d->m.nv, 3*sizeof *n);
 	char *outer = calloc(d->m.nv, 1);
@@ -76,8 +76,8 @@ normals(const Disk *d, double unit)
 	return n;
 }
 
-/* The point of the boundary at arc length a, from less than one loop before its start to
- * less than one behind its end. */
+/* The point of the boundary at arc length a, from less than one loop length before the start
+ * to less than one after the end. */
 static void
 point(const Disk *d, const double *s, double a, double x[3])
 {
@@ -113,23 +113,24 @@ turn(const Disk *d, const double *s, int i, double reach, const double n[3])
 	return copysign(atan2(norm3(c), dot3(a, b)), dot3(c, n));
 }
 
-/* From loop vertex i to arc length a, the shorter way, over the whole. */
+/* Distance along the loop from vertex i to arc length a, the shorter of the two ways, over the
+ * length of the loop. */
 static double
-apart(const double *s, int nb, int i, double a)
+loop_distance(const double *s, int nb, int i, double a)
 {
 	double t = fabs(s[i] - a);
 
 	return fmin(t, s[nb] - t)/s[nb];
 }
 
-/* The vertex of the largest turn that is farther than far from the k chosen, or -1. */
+/* Of the vertices farther than `far` from the k chosen ones, that of the largest turn, or -1. */
 static int
 sharpest(const double *s, int nb, const double *angle, double far, const int *chosen, int k)
 {
 	int i, j, best = -1;
 
 	for (i = 0; i < nb; i++) {
-		for (j = 0; j < k && apart(s, nb, i, s[chosen[j]]) > far; j++)
+		for (j = 0; j < k && loop_distance(s, nb, i, s[chosen[j]]) > far; j++)
 			;
 		if (j == k && (best < 0 || angle[i] > angle[best]))
 			best = i;
@@ -145,7 +146,7 @@ ascending(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* Four clear corners in the order of the loop: 1, or 0 when there are none. */
+/* Finds four clear corners, in the order of the loop.  Returns 1, or 0 if there are not. */
 static int
 clear_corners(const double *s, int nb, const double *angle, double far, int corner[4])
 {
@@ -161,7 +162,7 @@ clear_corners(const double *s, int nb, const double *angle, double far, int corn
 	qsort(chosen, 4, sizeof *chosen, ascending);
 	for (k = 0; k < 4; k++)
 		corner[k] = chosen[k];
-	if (apart(s, nb, 0, s[corner[3]]) < apart(s, nb, 0, s[corner[0]])) {
+	if (loop_distance(s, nb, 0, s[corner[3]]) < loop_distance(s, nb, 0, s[corner[0]])) {
 		for (k = 3; k > 0; k--)
 			corner[k] = chosen[k-1];
 		corner[0] = chosen[3];
@@ -184,7 +185,7 @@ equal_arcs(const double *s, int nb, int corner[4])
 	}
 }
 
-/* Four clear corners at the first reach that shows them: 1, or 0. */
+/* Finds four clear corners, at the first reach that has them.  Returns 1, or 0 if none has. */
 static int
 by_shape(const Disk *d, const double *s, const double *n, double *angle, int corner[4])
 {
@@ -202,7 +203,7 @@ by_shape(const Disk *d, const double *s, const double *n, double *angle, int cor
 int
 corners_auto(const Disk *d, int corner[4])
 {
-	double *s = arc_length(d), *n = s ? normals(d, s[d->nb]) : NULL;
+	double *s = arc_length(d), *n = s ? boundary_normals(d, s[d->nb]) : NULL;
 	double *angle = malloc(d->nb*sizeof *angle);
 	int found = CORNERS_ENOMEM;
 
@@ -245,7 +246,7 @@ at_length(const double *s, int nb, double a)
 	int i, best = 0;
 
 	for (i = 1; i < nb; i++)
-		if (apart(s, nb, i, a) < apart(s, nb, best, a))
+		if (loop_distance(s, nb, i, a) < loop_distance(s, nb, best, a))
 			best = i;
 	return best;
 }

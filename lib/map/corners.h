@@ -1,6 +1,6 @@
 /* corners.h - the four boundary vertices that become the corners of the rectangle.
  *
- * A corner is given by its place in the boundary loop (0 .. nb-1).  The four go round
+ * A corner is an index into the boundary loop (0 .. nb-1).  The four go round
  * the loop once, counterclockwise: from corner[0] to corner[1] is the bottom v = 0, then
  * the right side u = 1, the top v = T and the left side u = 0.
  */
@@ -12,37 +12,37 @@
 enum {
 	CORNERS_ENOMEM = -1,
 	CORNERS_EINNER = -2,    /* vertex *at is not on the boundary, or does not exist */
-	CORNERS_EORDER = -3,    /* the vertices do not go round the loop once, or one is doubled */
+	CORNERS_EORDER = -3,    /* the vertices do not go round the loop once, or two are equal */
 	CORNERS_EFEW   = -4     /* a boundary of three vertices */
 };
 
-/* Four corners chosen by shape, the same way every time.
+/* Chooses four corners by the shape of the boundary (doc/mathematics.md 3.4).
  *
- * The turn of the boundary at a vertex is the angle between the two chords of one reach,
- * measured along the loop, back and forward from it; negative where the boundary turns
- * away from the surface.  The first reach is 1/40 of the loop, so that a ragged edge does
+ * The turn of the boundary at a vertex is the angle between the two chords from it to the
+ * points one reach back and one reach forward along the loop; negative where the boundary
+ * turns away from the surface.  The first reach is 1/40 of the loop, so that a ragged edge does
  * not count as a corner; narrow strips show their corners only at shorter ones, so it is
  * halved in steps of sqrt(2) down to one and a half edges of mean length.  The first reach
  * at which the boundary has four clear corners decides: local maxima of the turn of at
- * least 50 degrees, more than two reaches apart, and no fifth of 0.6 of the fourth.  When
- * there is no such reach, the four are the vertices nearest to equal arc length.
- * Either way corner[0] is the one nearest to, or is, the start of the loop: its lowest
+ * least 50 degrees, more than two reaches apart, and no fifth of more than 0.6 of the fourth.
+ * When there is no such reach, the four are the vertices nearest to equal arc length.
+ * In both cases corner[0] is the corner nearest to the start of the loop, which is its lowest
  * vertex number.
  *
  * Returns 1 when clear corners were found, 0 for equal arc length, or CORNERS_ENOMEM or
  * CORNERS_EFEW. */
 int corners_auto(const Disk *d, int corner[4]);
 
-/* Four vertex numbers made into places in the loop.  Returns 0, CORNERS_EINNER or
- * CORNERS_EORDER (a loop gone round clockwise is one, too). */
+/* Finds four vertex numbers in the loop.  Returns 0, CORNERS_EINNER or CORNERS_EORDER (also
+ * for clockwise order). */
 int corners_given(const Disk *d, const int vertex[4], int corner[4], int *at);
 
-/* The vertices nearest to four places of the loop, each its arc length from the start over
- * that of the whole, 0 <= place < 1, in the order of the loop; where two would be the same
- * vertex the later one is the next.  Returns 0, CORNERS_ENOMEM or CORNERS_EFEW. */
+/* The vertices nearest to four places of the loop, in its order.  A place is its arc length
+ * from the start over the length of the loop, 0 <= place < 1.  Where two would be the same
+ * vertex, the later one becomes the next vertex.  Returns 0, CORNERS_ENOMEM or CORNERS_EFEW. */
 int corners_at(const Disk *d, const double place[4], int corner[4]);
 
-/* The vertex of the boundary nearest to x, of several the one of the lowest number. */
+/* The vertex of the boundary nearest to x; of equally near ones that of the lowest number. */
 int corners_nearest(const Disk *d, const double x[3]);
 
 #endif

@@ -1,4 +1,4 @@
-/* polish.c - rounds of conformal maps of a grid onto itself. */
+/* polish.c - repeated conformal maps of a grid onto itself. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,19 +9,19 @@
 #include "polish.h"
 #include "../base/stats.h"
 
-/* Two stages: the first finds the way from far and is all there is on most surfaces; where the
- * surface turns much within a cell and that has left more than UNDONE of the mean
- * coefficient, the second goes on to a grid as conformal as the nodes can tell, which costs
- * the cells some of theirs, and so those who integrate over them.  A round that leaves more
- * than worth of the mean has gained nothing. */
+/* Two stages.  The first converges from far, and for most surfaces it is the only one.  If it
+ * leaves a mean coefficient above UNDONE (surfaces that turn much within a cell), the second
+ * stage goes on until the grid is as conformal as node differences can measure; cell averages,
+ * and whoever integrates over cells, lose some accuracy by it.  A round whose mean is not below
+ * `worth` times the least mean before has gained nothing. */
 static const struct { int metric; double worth; } STAGE[] = {
 	{ GRIDLAPLACE_CELLS, 0.85 }, { GRIDLAPLACE_NODES, 0.97 }
 };
 enum { STAGES = 2, PATIENCE = 3 };
 static const double UNDONE = 4e-3;
-static const double FOLDED = 2e-3;      /* mean above which so many rounds without gain end the
-                                         * first stage, not one: from a start with folds the way
-                                         * may go uphill */
+static const double FOLDED = 2e-3;      /* mean above which it takes PATIENCE rounds without gain
+                                         * to end the first stage, not one: from a start with
+                                         * folds the mean may first rise */
 
 static int
 grid_alloc(Grid *a, Chart g)
@@ -97,8 +97,8 @@ find_shift(const Grid *a, int metric, Shift *s)
 	return 0;
 }
 
-/* The place (x,y), in nodes, that the shift brings to (i,j): fixed point of
- * x = i - du(x,y), y = j - dv(x,y), damped where the plain one does not settle. */
+/* The point (x,y), in nodes, that the shift moves to (i,j): by fixed-point iteration of
+ * x = i - du(x,y), y = j - dv(x,y), damped if it has not converged after 30 steps. */
 static void
 invert(const Shift *s, Chart g, int i, int j, double *x, double *y)
 {
@@ -138,8 +138,9 @@ resample(const Sampler *sampler, const Grid *a, const Shift *s, Grid *b)
 	return sampler_grid(sampler, b->g, b->x, b->y, b->phi) ? POLISH_ENOMEM : 0;
 }
 
+/* Moves n points of the chart by the shift, into the new chart. */
 static void
-carry(Chart g, const Shift *s, int n, double *pu, double *pv)
+shift_points(Chart g, const Shift *s, int n, double *pu, double *pv)
 {
 	int i;
 
@@ -153,7 +154,7 @@ carry(Chart g, const Shift *s, int n, double *pu, double *pv)
 	}
 }
 
-/* mu is room for the inner nodes. */
+/* mu: workspace, one number for each inner node. */
 static double
 mean_beltrami(const Grid *a, double *mu)
 {
@@ -161,7 +162,7 @@ mean_beltrami(const Grid *a, double *mu)
 	return stats_mean((size_t)(a->g.nu - 2)*(a->g.nv - 2), mu);
 }
 
-/* A grid and the points that go with it. */
+/* A grid and the points that move with it. */
 typedef struct State {
 	Grid    grid;
 	int     n;
@@ -205,7 +206,7 @@ state_copy(const State *from, State *to)
 	copy_points(from->n, from->pu, from->pv, to);
 }
 
-/* From a by one round to b; mu is room for the inner nodes. */
+/* One round, from a to b; mu as in mean_beltrami. */
 static int
 advance(const Sampler *sampler, int metric, const State *a, State *b, Shift *shift, double *mu)
 {
@@ -217,13 +218,13 @@ advance(const Sampler *sampler, int metric, const State *a, State *b, Shift *shi
 	e = resample(sampler, &a->grid, shift, &b->grid);
 	if (e)
 		return e;
-	carry(a->grid.g, shift, b->n, b->pu, b->pv);
+	shift_points(a->grid.g, shift, b->n, b->pu, b->pv);
 	b->mean = mean_beltrami(&b->grid, mu);
 	return 0;
 }
 
-/* The next stage if there is to be one, from the best grid, when there were `idle` rounds
- * without gain in this. */
+/* The stage of the next round, after `idle` rounds without gain in this one.  A new stage
+ * begins with the best grid. */
 static int
 next_stage(int stage, const State *best, State *now, int *idle)
 {
@@ -234,7 +235,7 @@ next_stage(int stage, const State *best, State *now, int *idle)
 	return best->mean > UNDONE ? stage + 1 : STAGES;
 }
 
-/* best is the start on entry. */
+/* On entry best is the start. */
 static int
 iterate(const Sampler *sampler, State *best, State work[2], int rounds, double enough, Shift *shift,
 	double *mu, int *done)

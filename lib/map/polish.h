@@ -1,10 +1,9 @@
-/* polish.h - a nearly conformal grid made conformal.
+/* polish.h - makes a nearly conformal grid conformal (doc/mathematics.md 3.6).
  *
- * The grid is taken as a surface of its own and mapped conformally once more, by its own
- * metric (gridlaplace.h): a and b, 0..1, harmonic on it, T = sqrt(E(a)/E(b)).  The map
- * (u,v) -> (a, T b) is near the identity; its inverse says where on the old grid each node
- * of the new one lies, and so where in the chart of the mesh, and there the mesh is sampled
- * again (DESIGN section 4).
+ * The grid is itself a surface, and is mapped conformally once more, with its own metric
+ * (gridlaplace.h): a and b, 0..1, harmonic on it, T = sqrt(E(a)/E(b)).  The map
+ * (u,v) -> (a, T b) is near the identity.  Its inverse gives the place of each new node on the
+ * old grid, and so in the chart of the mesh; there the mesh is sampled again.
  */
 #ifndef POLISH_H
 #define POLISH_H
@@ -13,28 +12,28 @@
 
 enum { POLISH_ENOMEM = -1 };
 
-/* A surface sampled on a grid, and from where. */
+/* A surface sampled on a grid, with the place of each sample. */
 typedef struct Grid {
 	Chart   g;
 	double *x, *y;          /* [nv][nu] place of each node in the chart of the mesh */
 	double *phi[3];         /* [nv][nu] */
 } Grid;
 
-/* The grid of g over the whole chart [0,1] x [0,g.T] of s, sampled.  g.nu, g.nv >= 4.
+/* Samples s on the nodes (23) of its chart [0,1] x [0,g.T].  g.nu, g.nv >= 4.
  * Returns 0 or POLISH_ENOMEM. */
 int  grid_init(Grid *a, Chart g, const Sampler *s);
 void grid_free(Grid *a);
 
-/* At most so many rounds, fewer when they gain nothing more or when the mean modulus of the
- * Beltrami coefficient over the inner nodes is no more than enough; what is kept is the
- * round that has the least mean.  Where the surface turns much within a cell and that mean stays
- * above 4e-3, rounds by the metric of the nodes follow on those by that of the cells.
+/* Polishes in at most `rounds` rounds.  It stops earlier when rounds gain nothing more, or when
+ * the mean modulus of the Beltrami coefficient over the inner nodes is at most `enough`.  The
+ * round with the smallest mean is kept.  If the mean stays above 4e-3 (surfaces that turn much
+ * within a cell), rounds with the cell metric are followed by rounds with the node metric.
  *
  * a        in/out
- * pu, pv   in/out  [n] points carried along, in the chart of a; n may be 0
- * done     out     rounds that led to what is kept
+ * pu, pv   in/out  [n] points that move with the grid, in the chart of a; n may be 0
+ * done     out     rounds up to the one that is kept
  *
- * Returns 0 or POLISH_ENOMEM; a is then some grid that is no worse than it was. */
+ * Returns 0 or POLISH_ENOMEM; on an error a is a grid no worse than the given one. */
 int polish(const Sampler *s, Grid *a, int rounds, double enough, int n, double *pu, double *pv, int *done);
 
 #endif

@@ -1,4 +1,4 @@
-/* rectmap.c - the two harmonic functions and the modulus. */
+/* rectmap.c - two harmonic functions with one sparse factor, and the modulus. */
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -7,10 +7,10 @@
 #include "../sparse/chol.h"
 #include "rectmap.h"
 
-enum { NUMBERS = 40 };  /* per vertex that the matrix and its order take, about */
+enum { NUMBERS = 40 };  /* about so many for each vertex: the matrix and its order */
 
-/* C_ff x_f = -C_fs x_s for the free vertices f and those on the sides, s: what both
- * systems share. */
+/* C_ff x_f = -C_fs x_s for the free vertices f, with the values of the side vertices s given.
+ * This part is shared by both systems. */
 typedef struct Harmonic {
 	Cotangent C;
 	double   *diagonal;     /* [nv] */
@@ -25,7 +25,7 @@ release(Harmonic *h)
 	free(h->diagonal);
 }
 
-/* The matrix of quadratic elements on the disk that d was before all its triangles were split. */
+/* The matrix of quadratic elements on `coarse`; d is coarse with all triangles split. */
 static int
 quadratic(const Disk *d, const Disk *coarse, Cotangent *C)
 {
@@ -42,7 +42,7 @@ quadratic(const Disk *d, const Disk *coarse, Cotangent *C)
 	return e;
 }
 
-/* Plans the factor, and at the same time finds the values of the matrix if they are wanted. */
+/* Symbolic factorization; at the same time, with `values`, the entries of the matrix. */
 static int
 plan(const Disk *d, int values, Harmonic *h, const int *order)
 {
@@ -59,8 +59,8 @@ plan(const Disk *d, int values, Harmonic *h, const int *order)
 	return e;
 }
 
-/* The matrix of d, of linear elements, whose values are found while the factor is planned, or
- * of quadratic ones. */
+/* The matrix and the plan of its factor: of linear elements on d, or of quadratic ones on
+ * coarse. */
 static int
 prepare(const Disk *d, const Disk *coarse, Harmonic *h)
 {
@@ -79,7 +79,7 @@ prepare(const Disk *d, const Disk *coarse, Harmonic *h)
 	return e ? SPD_ENOMEM : 0;
 }
 
-/* Sets side vertices of the loop, from corner a to corner b, to a value. */
+/* Sets the vertices of a side, from corner a to corner b of the loop, to a value. */
 static void
 hold(const Disk *d, int a, int b, double value, double *x, unsigned char *held)
 {
@@ -93,9 +93,9 @@ hold(const Disk *d, int a, int b, double value, double *x, unsigned char *held)
 	}
 }
 
-/* x of the free vertices becomes -C_fs x_s, from 0. */
+/* x_f = -C_fs x_s; x_f is 0 on entry. */
 static void
-right_side(const Cotangent *C, const unsigned char *held, double *x)
+right_hand_side(const Cotangent *C, const unsigned char *held, double *x)
 {
 	int i, k;
 
@@ -105,7 +105,7 @@ right_side(const Cotangent *C, const unsigned char *held, double *x)
 				x[C->g.adj[k]] -= C->c[k]*x[i];
 }
 
-/* x is 0 on the side that begins at corner k, 1 on the one opposite, and harmonic. */
+/* The harmonic x that is 0 on the side that begins at corner k and 1 on the opposite one. */
 static int
 solve(const Disk *d, const int corner[4], int k, Harmonic *h, double *x, SpdReport *report)
 {
@@ -118,7 +118,7 @@ solve(const Disk *d, const int corner[4], int k, Harmonic *h, double *x, SpdRepo
 	memset(x, 0, d->m.nv*sizeof *x);
 	hold(d, corner[k], corner[(k+1)%4], 0, x, held);
 	hold(d, corner[(k+2)%4], corner[(k+3)%4], 1, x, held);
-	right_side(&h->C, held, x);
+	right_hand_side(&h->C, held, x);
 	e = chol_solve(&h->chol, &a, x, &report->column);
 	for (i = 0; !e && i < d->m.nv; i++)
 		if (!isfinite(x[i])) {
@@ -129,7 +129,7 @@ solve(const Disk *d, const int corner[4], int k, Harmonic *h, double *x, SpdRepo
 	return e == CHOL_ENOMEM ? SPD_ENOMEM : e ? SPD_EINDEFINITE : 0;
 }
 
-/* u and v1. */
+/* u and v1, before v1 is multiplied by T. */
 static int
 harmonic_pair(const Disk *d, const Disk *coarse, const int corner[4], double *u, double *v, SpdReport *report)
 {
@@ -145,7 +145,7 @@ harmonic_pair(const Disk *d, const Disk *coarse, const int corner[4], double *u,
 	return e;
 }
 
-/* As the matrix. */
+/* The Dirichlet energies, with the elements of the matrix. */
 static int
 energy(const Disk *d, const Disk *coarse, const double *u, const double *v, double *Eu, double *Ev)
 {

@@ -6,7 +6,7 @@
  *
  *   T = sqrt(E(u)/E(v1)),   v = T v1,   certificate = sqrt(E(u) E(v1)) - 1 >= 0,
  *
- * and the certificate is 0 only for an exactly conformal map (DESIGN section 4).
+ * and the certificate is 0 only for an exactly conformal map (doc/mathematics.md 3.1, 3.2).
  */
 #ifndef RECTMAP_H
 #define RECTMAP_H
@@ -30,7 +30,7 @@
 int rectmap(const Disk *d, const Disk *coarse, const int corner[4], double *u, double *v, double *T,
 	double *certificate, SpdReport *report);
 
-/* Triangles that the map turned over: those with (u,v) area < 0. */
+/* Number of triangles that the map turned over, those with (u,v) area < 0. */
 int rectmap_flipped(const Mesh *m, const double *u, const double *v);
 
 #endif

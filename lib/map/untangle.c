@@ -38,10 +38,10 @@ is_turned(const Tangle *t, int f)
 	    < (t->u[c[2]] - t->u[c[0]])*(t->v[c[1]] - t->v[c[0]]);
 }
 
-/* Every vertex of a turned triangle moves, and with widen every vertex that shares a
+/* Marks the vertices of turned triangles as moving; with widen, also every vertex that shares a
  * triangle with a moving one. */
 static int
-choose(Tangle *t, int widen)
+mark_moving(Tangle *t, int widen)
 {
 	unsigned char *old = malloc(t->d->m.nv);
 	int f, k;
@@ -73,9 +73,10 @@ half_tangent(const Mesh *m, int f, int k)
 	return norm3(n)/(norm3(a)*norm3(b) + dot3(a, b));
 }
 
-/* What triangle f gives to its corner k: half of the weights of the two other corners. */
+/* Adds the terms of triangle f to the sums of its corner k: half of the weights of the two other
+ * corners. */
 static void
-gather(const Tangle *t, int f, int k)
+add_weights(const Tangle *t, int f, int k)
 {
 	const Mesh *m = &t->d->m;
 	const int *c = &m->tri[3*f];
@@ -92,7 +93,7 @@ gather(const Tangle *t, int f, int k)
 	}
 }
 
-/* One sweep: all moving vertices at once. */
+/* One sweep of Jacobi: all moving vertices at once. */
 static void
 relax(const Tangle *t)
 {
@@ -103,7 +104,7 @@ relax(const Tangle *t)
 	for (f = 0; f < m->nf; f++)
 		for (k = 0; k < 3; k++)
 			if (t->moving[m->tri[3*f+k]])
-				gather(t, f, k);
+				add_weights(t, f, k);
 	for (i = 0; i < m->nv; i++) {
 		const double *sum = &t->sum[3*i];
 
@@ -127,7 +128,7 @@ run(Tangle *t, const int corner[4], int *turned)
 	mark_side(t, corner[2], corner[3], HOLD_V);
 	mark_side(t, corner[3], corner[0], HOLD_U);
 	for (ring = 0; ring < RINGS && *turned > 0 && !e; ring++) {
-		e = choose(t, ring > 0);
+		e = mark_moving(t, ring > 0);
 		for (sweep = 0; sweep < SWEEPS && *turned > 0 && !e; sweep++) {
 			relax(t);
 			*turned = rectmap_flipped(m, t->u, t->v);

@@ -1,4 +1,4 @@
-/* untangle.h - a map without turned triangles, where a few are left. */
+/* untangle.h - removes the last few turned triangles of a map (doc/mathematics.md 3.5). */
 #ifndef UNTANGLE_H
 #define UNTANGLE_H
 
@@ -6,13 +6,13 @@
 
 enum { UNTANGLE_ENOMEM = -1 };
 
-/* Move the vertices of triangles whose (u,v) area is negative, and as many rings around
- * them as it takes, up to a few, each to the mean of its neighbours by mean value weights
- * (Floater), which are positive; vertices on a side of the rectangle stay on it, corners
- * stay.  The rest of the map is left as it is.
+/* Moves the vertices of triangles whose (u,v) area is negative to the mean of their neighbours,
+ * with mean value weights (Floater), which are positive.  If that is not enough, up to eight
+ * rings around them move too.  Vertices on a side of the rectangle stay on it, corners do not
+ * move, and the rest of the map is unchanged.
  *
- * corner   places in the boundary loop, as corners.h gives them
- * turned   out  triangles of negative area that are left
+ * corner   indices into the boundary loop (corners.h)
+ * turned   out  triangles of negative area that remain
  *
  * Returns 0 or UNTANGLE_ENOMEM. */
 int untangle(const Disk *d, const int corner[4], double *u, double *v, int *turned);

@@ -30,8 +30,8 @@ least(const double w[3])
 	return w[0] <= w[1] && w[0] <= w[2] ? 0 : w[1] <= w[2] ? 1 : 2;
 }
 
-/* The neighbour across the side that faces corner k; where that is the boundary, or k is
- * -1, another one than the triangle come from; -1 when there is none. */
+/* The neighbour across the side opposite to corner k.  If that is the boundary, or k is -1: a
+ * neighbour other than triangle `from`, or -1 if there is none. */
 static int
 step(const Locator *l, int t, int k, int from)
 {
@@ -43,8 +43,8 @@ step(const Locator *l, int t, int k, int from)
 	return twin < 0 ? -1 : twin/3;
 }
 
-/* Walk from t; returns the triangle found or the one that came nearest, its coordinates
- * in w. */
+/* Walks from t.  Returns the triangle that holds the point, or the one in which it lay deepest;
+ * w are its coordinates there. */
 static int
 walk(const Locator *l, int t, double x, double y, double w[3])
 {
@@ -53,7 +53,7 @@ walk(const Locator *l, int t, double x, double y, double w[3])
 
 	w[0] = w[1] = -1, w[2] = 3;     /* nothing found */
 	for (; t >= 0 && left > 0; left--, from = t, t = next) {
-		k = -1;         /* a flat one has no depth: go on */
+		k = -1;         /* no coordinates in a flat triangle: go on */
 		if (barycentric(l, t, x, y, here)) {
 			k = least(here);
 			if (here[k] > deepest) {
@@ -71,8 +71,8 @@ walk(const Locator *l, int t, double x, double y, double w[3])
 	return best;
 }
 
-/* The triangle of all in which the point lies deepest, or `best` when none is as deep as
- * w says. */
+/* The triangle of the mesh in which the point lies deepest, or `best`, with the coordinates w,
+ * if there is no deeper one. */
 static int
 search(const Locator *l, int best, double x, double y, double w[3])
 {
@@ -110,8 +110,8 @@ locate(const Locator *l, double x, double y, double bary[3])
 	return t;
 }
 
-/* Each place of the table gets a triangle whose centre lies in it, if there is one, else
- * that of the place before. */
+/* Sets each cell of the table to a triangle whose centre lies in it, or, if there is none, to
+ * that of the cell before. */
 static void
 fill_table(Locator *l)
 {

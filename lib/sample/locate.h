@@ -1,4 +1,4 @@
-/* locate.h - which triangle of a mapped mesh holds a point of the chart. */
+/* locate.h - point location: the triangle of a mapped mesh that holds a point of the chart. */
 #ifndef LOCATE_H
 #define LOCATE_H
 
@@ -8,20 +8,20 @@ typedef struct Locator {
 	const Mesh   *m;
 	const double *u, *v;
 	const int    *twin;     /* [3*nf] of the disk */
-	int          *start;    /* [ny][nx] a triangle near each place of a table over the chart */
+	int          *start;    /* [ny][nx] a triangle near each cell of a table over the chart */
 	int           nx, ny;
 	double        T;
 } Locator;
 
-/* Get ready to locate points of [0,1] x [0,T] in d mapped by u, v, which must outlive l.
+/* Prepares to locate points of [0,1] x [0,T] in d mapped by u, v, which must outlive l.
  * Returns 0 or MESH_ENOMEM. */
 int  locator_init(Locator *l, const Disk *d, const double *u, const double *v, double T);
 void locator_free(Locator *l);
 
 /* The triangle that holds (x,y), and its barycentric coordinates there, each in 0..1.
- * Found by a walk from the table's triangle; where the map has turned or flat triangles
- * and the walk goes astray, the triangle in which the point lay deepest on the way, with
- * the coordinates brought back to its border.  Allowed from several threads. */
+ * Found by a walk from the triangle of the table.  If no triangle holds the point, as may
+ * happen among turned or flat triangles, the one in which it lies deepest, with negative
+ * coordinates set to 0.  May be called from several threads. */
 int  locate(const Locator *l, double x, double y, double bary[3]);
 
 #endif

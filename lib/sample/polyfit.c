@@ -1,8 +1,8 @@
-/* polyfit.c - the polynomial of one neighbourhood, by Householder reflections.
+/* polyfit.c - least squares for the polynomial of a neighbourhood, by Householder reflections.
  *
- * No pivoting: columns are in the order of their degree, so the leading part of the
- * triangle is the fit of lower degree and costs nothing, and of dependent terms it is the
- * higher one that goes.
+ * No pivoting.  The columns are in the order of their degree, so the leading part of the
+ * triangle is the fit of lower degree at no cost, and of dependent terms the higher one is left
+ * out.
  */
 #include <string.h>
 
@@ -10,15 +10,15 @@
 #include "polyfit.h"
 #include "../base/vec3.h"
 
-/* A term is left out when less than this share of it is new. */
+/* A term is left out when less than this share of its column is independent of earlier ones. */
 static const double NEW = 0.02;
 
 /* Extents below these, as a share of the others and in (u,v), count as 0. */
 static const double FLAT = 1e-10, TINY = 1e-100;
 
-/* The map that gives the points around the first one unit variance in all directions;
- * a direction without extent becomes 0.  Sums of squares along the principal axes, the
- * axes by half angles of (a - c, 2b). */
+/* The linear map after which the points around the first one have unit variance in all
+ * directions; a direction without extent is mapped to 0.  The principal axes come from the half
+ * angle of (a - c, 2b), the variances from sums of squares along them. */
 static void
 whiten(const Hood *h, const double *u, const double *v, double to[2][2])
 {
@@ -55,7 +55,7 @@ whiten(const Hood *h, const double *u, const double *v, double to[2][2])
 	}
 }
 
-/* One weighted row per neighbour; coefficients will be derivatives in (x,y). */
+/* One weighted row per neighbour; the coefficients are derivatives in (x,y). */
 static void
 fill(const Hood *h, const Mesh *m, const double *u, const double *v, Polyfit *f)
 {
@@ -111,7 +111,7 @@ all_squares(const Polyfit *f, double whole[POLYFIT_COLS])
 }
 
 /* Reflects the rows from r on so that column c vanishes below row r; norm is its length
- * there.  Columns before 4*four <= c are done with; four is a constant. */
+ * there.  Columns before 4*four <= c are finished; four is a compile-time constant. */
 INLINE void
 reflect(Polyfit *f, int c, int r, double norm, int four)
 {
@@ -161,7 +161,7 @@ factor(Polyfit *f)
 	}
 }
 
-/* The same bits. */
+/* The same with 256-bit vectors, and the same bits. */
 TARGET("avx2") static void
 factor_256(Polyfit *f)
 {

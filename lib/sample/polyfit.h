@@ -1,5 +1,5 @@
 /* polyfit.h - one cubic polynomial through a vertex, by weighted least squares over the
- * vertices around it.  Private to lib/; gradient.h says what is minimised.
+ * vertices around it.  Private to lib/; gradient.h states the minimised sum.
  */
 #ifndef POLYFIT_H
 #define POLYFIT_H
@@ -28,11 +28,11 @@ typedef struct Polyfit {
 	double a[POLYFIT_MOST][POLYFIT_COLS];
 } Polyfit;
 
-/* Fit; f->rank is then 9, or less when points are too few or lie so that some terms
+/* Fits; f->rank is then 9, or less when points are too few or lie so that some terms
  * depend on earlier ones. */
 void polyfit(Polyfit *f, const Hood *h, const Mesh *m, const double *u, const double *v);
 
-/* The derivatives at v[0] of the fit that uses only the terms up to a degree, 1 to 3. */
+/* The derivatives at v[0] of the fit with the terms up to a degree, 1 to 3. */
 void polyfit_jet(const Polyfit *f, int degree, Jet *jet);
 
 #endif
