@@ -67,7 +67,7 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
-/* One grid becomes a set of s->n. */
+/* Writes the grid once for each of the s->n scales, as a set. */
 static void
 write_scales(const CmdInput *in, Lhg *g, const Scales *s)
 {

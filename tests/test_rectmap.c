@@ -135,7 +135,7 @@ cotangent_matrix_is_its_own_adjoint(void **state)
 	(void)state;
 	map("torus", 800, &m);
 	n = m.d.m.nv;
-	x = malloc(n*sizeof *x), y = malloc(n*sizeof *y), Cx = malloc(n*sizeof *x), Cy = malloc(n*sizeof *y);
+	x = calloc(n, sizeof *x), y = calloc(n, sizeof *y), Cx = malloc(n*sizeof *x), Cy = malloc(n*sizeof *y);
 	for (i = 0; i < n; i++)
 		x[i] = noise(&seed), y[i] = noise(&seed);
 	cotangent_apply(&m.d.m, x, Cx);
@@ -343,7 +343,7 @@ rows_are_the_triangles(void **state)
 
 	(void)state;
 	map("catenoid", 800, &m);
-	x = malloc(m.d.m.nv*sizeof *x), y = malloc(m.d.m.nv*sizeof *y);
+	x = calloc(m.d.m.nv, sizeof *x), y = calloc(m.d.m.nv, sizeof *y);
 	for (i = 0; i < m.d.m.nv; i++)
 		x[i] = noise(&seed);
 	cotangent_apply(&m.d.m, x, y);

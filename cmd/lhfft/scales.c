@@ -1,4 +1,4 @@
-/* scales.c - the options of lhfft that say what to keep, and what they do to a grid. */
+/* scales.c - the filter options of lhfft, and their application to a grid. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -54,7 +54,7 @@ scales_check(Scales *s)
 	if ((!s->option && !apart) || ((apart || s->raw) && s->rule != FILTER_PERCENT))
 		misuse("%s", ways);
 	if (!s->option)
-		s->n = 1;               /* bound 0: the field without its own stays as it is */
+		s->n = 1;               /* bound 0: a field without its own bound is unchanged */
 	if (s->raw)
 		s->rule = FILTER_RAW;
 }
@@ -132,7 +132,7 @@ scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g)
 	return f;
 }
 
-/* A field of which nothing is dropped stays as it is, to the last bit. */
+/* A field of which nothing is dropped is left untouched, bit for bit. */
 void
 scales_apply(const Scales *s, int k, const CmdInput *in, Lhg *g)
 {

@@ -1,4 +1,4 @@
-/* scales.h - what lhfft is told to keep, at one scale or at several. */
+/* scales.h - the filter options of lhfft, for one scale or several. */
 #ifndef CMD_SCALES_H
 #define CMD_SCALES_H
 
@@ -9,7 +9,7 @@ enum { SCALES_MAX = 256 };
 
 typedef struct Scales {
 	SpectrumBasis basis;
-	const char *option;             /* that said the bounds, or NULL */
+	const char *option;             /* that set the bounds, or NULL */
 	FilterRule  rule;
 	int         n;                  /* how many scales */
 	double      bound[SCALES_MAX];
@@ -17,13 +17,13 @@ typedef struct Scales {
 	int         raw, log, bending;  /* --raw, --log-lambda, --bending */
 } Scales;
 
-/* Nothing said: cosines, the logarithm of lambda, lambda H. */
+/* The defaults: cosines, the logarithm of lambda, lambda H. */
 void scales_init(Scales *s);
 
-/* Take the list X or X,X,.. of an option, or exit 2. */
+/* Read the list X or X,X,.. of an option, or exit 2. */
 void scales_set(Scales *s, FilterRule rule, const char *option, const char *list);
 
-/* Exit 2 when the options do not say one thing; to be called once after all of them. */
+/* Exit 2 unless exactly one rule is given; to be called once, after all options. */
 void scales_check(Scales *s);
 
 /* Dies unless g has lambda > 0 and H; gives the least lambda. */

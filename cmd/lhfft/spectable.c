@@ -1,4 +1,4 @@
-/* spectable.c - the option --spectrum of lhfft. */
+/* spectable.c - the table of coefficients that lhfft --spectrum writes. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,10 +1,10 @@
-/* filter.c - the rules of filter.h. */
+/* filter.c - Algorithm 1: thresholds on the coefficients of a field (doc/mathematics.md 5.2). */
 #include <math.h>
 #include <stdlib.h>
 
 #include "filter.h"
 
-/* x is what is filtered, f or log f; C its coefficients, a their moduli. */
+/* x is the filtered field, f or log f; C its coefficients, a their moduli. */
 typedef struct Waves {
 	double         *x, *a;
 	double complex *C;
@@ -39,7 +39,7 @@ waves_of(Spectrum s, int logarithm, const double *f, Waves *w)
 	return e;
 }
 
-/* The |C| of one percent. */
+/* The |C| that is one percent of the root mean square. */
 static double
 one_percent(Spectrum s, int logarithm, const Waves *w)
 {
@@ -83,9 +83,9 @@ larger_first(const void *x, const void *y)
 	return r->q > t->q ? 1 : -1;
 }
 
-/* What coefficient q adds to the sum that a rule bounds: their number, or their energy. */
+/* The term of a coefficient in the sum that a rule bounds: their number or their energy. */
 static double
-part(Spectrum s, FilterRule rule, const Ranked *r)
+sum_term(Spectrum s, FilterRule rule, const Ranked *r)
 {
 	int weight = spectrum_weight(s, r->q%spectrum_columns(s));
 
@@ -94,9 +94,9 @@ part(Spectrum s, FilterRule rule, const Ranked *r)
 	return r->q ? weight*r->a*r->a : 0;
 }
 
-/* The modulus of the last coefficient needed for the sum. */
+/* In: the bound of the sum.  Out: the modulus of the last coefficient needed to reach it. */
 static int
-last_of_sum(Spectrum s, FilterRule rule, const double *a, double *bound)
+modulus_bound(Spectrum s, FilterRule rule, const double *a, double *bound)
 {
 	size_t n = spectrum_size(s), q;
 	Ranked *r = malloc(n*sizeof *r);
@@ -109,19 +109,19 @@ last_of_sum(Spectrum s, FilterRule rule, const double *a, double *bound)
 	qsort(r, n, sizeof *r, larger_first);
 	if (rule == FILTER_ENERGY) {
 		for (q = 0; q < n; q++)
-			sum += part(s, rule, &r[q]);
-		goal = *bound < 1 ? *bound*sum : HUGE_VAL;      /* not short of all by rounding */
+			sum += sum_term(s, rule, &r[q]);
+		goal = *bound < 1 ? *bound*sum : HUGE_VAL;      /* all, whatever rounding does */
 	}
 	for (sum = q = 0; q < n && sum < goal; q++)
-		sum += part(s, rule, &r[q]);
+		sum += sum_term(s, rule, &r[q]);
 	*bound = q ? r[q-1].a : HUGE_VAL;
 	free(r);
 	return 0;
 }
 
-/* Ranks by the length of the waves instead of the modulus. */
+/* Replaces the moduli, and the bound, by minus the wave number: long waves are kept. */
 static void
-longer_first(Spectrum s, double *a, double *bound)
+rank_by_wave(Spectrum s, double *a, double *bound)
 {
 	size_t q;
 
@@ -130,8 +130,8 @@ longer_first(Spectrum s, double *a, double *bound)
 	*bound = -*bound;
 }
 
-/* Drops what is not above the bound, or, with keep_equal, below it.  Returns whether any of it was
- * not zero. */
+/* Drops the coefficients that are not above the bound; with keep_equal, those below it.  Returns
+ * whether one of them was not zero. */
 static int
 drop(Spectrum s, double complex *C, const double *a, double bound, int keep_equal, size_t *kept)
 {
@@ -162,8 +162,8 @@ filter_field(Spectrum s, const Filter *by, double *f, size_t *kept)
 	case FILTER_PERCENT: bound *= one_percent(s, by->log, &w); break;
 	case FILTER_RAW:     break;
 	case FILTER_KEEP:
-	case FILTER_ENERGY:  e = last_of_sum(s, by->rule, w.a, &bound); break;
-	case FILTER_LOWPASS: longer_first(s, w.a, &bound); break;
+	case FILTER_ENERGY:  e = modulus_bound(s, by->rule, w.a, &bound); break;
+	case FILTER_LOWPASS: rank_by_wave(s, w.a, &bound); break;
 	}
 	changed = !e && drop(s, w.C, w.a, bound, by->rule != FILTER_PERCENT && by->rule != FILTER_RAW, kept);
 	if (changed) {

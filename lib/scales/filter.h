@@ -1,4 +1,4 @@
-/* filter.h - which waves of a grid field to keep: (32) and its kin. */
+/* filter.h - rules for the waves of a grid field to keep: (32) and variants of it. */
 #ifndef FILTER_H
 #define FILTER_H
 
@@ -24,15 +24,15 @@ typedef enum FilterRule {
 typedef struct Filter {
 	FilterRule rule;
 	double     bound;       /* >= 0 */
-	int        log;         /* filter log f instead, f > 0; what comes out is > 0 again */
+	int        log;         /* filter log f instead, f > 0; the result is > 0 too */
 } Filter;
 
-/* Drop coefficients of f by the rule, in place.  A field of which nothing but zeros is
- * dropped is left as it is, to the last bit.  *kept: how many of nu nv stay.
+/* Drop coefficients of f by the rule, in place.  If only zero coefficients are dropped,
+ * f is left untouched, bit for bit.  *kept: how many of nu nv stay.
  * Returns 1 if f has changed, 0 if not, or FILTER_ENOMEM. */
 int filter_field(Spectrum s, const Filter *by, double *f, size_t *kept);
 
-/* What FILTER_PERCENT compares, spectrum_size(s) numbers; 0 where rms is 0.
+/* |C| in the percent of FILTER_PERCENT, spectrum_size(s) numbers; 0 if the rms is 0.
  * Returns 0 or FILTER_ENOMEM. */
 int filter_percent(Spectrum s, int logarithm, const double *f, double *out);
 

@@ -1,4 +1,4 @@
-/* spectrum.c - FFTW behind spectrum.h. */
+/* spectrum.c - cosine and Fourier transforms of a field, by FFTW. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 
 #include <fftw3.h>
 
-/* Alike at every run: FFTW's plan depends on alignment. */
+/* Aligned alike in every run, because FFTW's plan depends on the alignment. */
 static void *
 aligned(size_t bytes)
 {

@@ -1,13 +1,13 @@
 /* spectrum.h - a grid field as a sum of waves.
  *
  *   dct  C_mn = c_m c_n sum f_ij cos(pi m (2i+1)/(2 nu)) cos(pi n (2j+1)/(2 nv)),
- *        c_0 = 1, other c = sqrt 2, 0 <= m < nu, 0 <= n < nv: f goes on evenly across the
- *        border of the rectangle, without a jump
- *   dft  C_mn = sum f_ij exp(-2 pi i (m i/nu + n j/nv)): f goes on periodically; it is
- *        real, so the columns 0 <= m <= nu/2 hold all
+ *        c_0 = 1, other c = sqrt 2, 0 <= m < nu, 0 <= n < nv: f is extended evenly across
+ *        the border of the rectangle, without a jump
+ *   dft  C_mn = sum f_ij exp(-2 pi i (m i/nu + n j/nv)): f is extended
+ *        periodically; it is real, so the columns 0 <= m <= nu/2 suffice    (16)-(19)
  *
  * by FFTW.  In both C_00 = sum f, and sum |C|^2 = nu nv sum f^2 over all nu nv of them: a
- * bound on |C| means the same.  C is [nv][columns], the dct's imaginary parts 0.
+ * bound on |C| has the same meaning (doc/mathematics.md 5.1).  C is [nv][columns], the dct's imaginary parts 0.
  */
 #ifndef SPECTRUM_H
 #define SPECTRUM_H
@@ -47,8 +47,8 @@ double spectrum_wave(Spectrum s, size_t q);
 int spectrum_forward(Spectrum s, const double *f, double complex *C);
 int spectrum_inverse(Spectrum s, const double complex *C, double *f);
 
-/* |C|.  Conjugates held both, in the columns 0 and nu/2 of the dft, are given one modulus,
- * not two apart by rounding: a bound keeps or drops them together. */
+/* |C|.  In the columns 0 and nu/2 of the dft both of a conjugate pair are held.  They get the
+ * same modulus, not two that differ by rounding, so that a bound keeps or drops both. */
 void spectrum_moduli(Spectrum s, const double complex *C, double *modulus);
 
 #endif

@@ -1,4 +1,4 @@
-/* scatter.c - dart throwing with a grid of cells that hold at most one point each. */
+/* scatter.c - dart throwing (Bridson), with a grid of cells that hold at most one point each. */
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -97,8 +97,8 @@ cells_free(const Cells *c, const Points *p, double x, double y, double r)
 	return 1;
 }
 
-/* The length of a step from (x,y) along (cx,cy) that ends at least as far away as the
- * distance there asks, where the distance grows slowly. */
+/* The length of a step from (x,y) along (cx,cy) that is at least the least distance at its end,
+ * if that distance grows slowly. */
 static double
 stride(const ScatterRule *rule, double x, double y, double cx, double cy)
 {

@@ -1,4 +1,4 @@
-/* scatter.h - points in a plane domain, evenly but without order. */
+/* scatter.h - evenly spaced random points in a plane domain (Poisson disk sampling). */
 #ifndef SCATTER_H
 #define SCATTER_H
 
@@ -17,7 +17,7 @@ typedef struct ScatterRule {
 
 typedef struct Points {
 	int     n, max;
-	double *xy;             /* [max][2], malloc'd; the first n are there */
+	double *xy;             /* [max][2], malloc'd; the first n are set */
 } Points;
 
 /* Grow points from those in p (the boundary of the domain) until none fits, by throwing

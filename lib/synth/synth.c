@@ -1,4 +1,4 @@
-/* synth.c - kinds by name, their parameters and domains. */
+/* synth.c - the kinds of surfaces by name, their parameters and domains. */
 #include <string.h>
 
 #include "synth_shapes.h"

@@ -1,5 +1,5 @@
-/* synth.h - surfaces given by a formula, with the truth about them, and unstructured
- * triangulations of them.
+/* synth.h - surfaces given by a formula, with their exact lambda, H and T where known, and
+ * unstructured triangulations of them.
  *
  * A surface is phi: D -> R^3, (x,y) -> phi(x,y), over a plane domain D.  Where phi is
  * conformal, |phi_x| = |phi_y| = lambda and phi_x . phi_y = 0; its unit normal is

@@ -1,4 +1,4 @@
-/* synth_mesh.c - points on the boundary, points inside, triangles, lift. */
+/* synth_mesh.c - triangulates the domain of a surface and maps its vertices onto the surface. */
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -19,8 +19,8 @@ static const double SPACING = 1.18;
 /* Points inside for each least distance squared of area: 0.81 on a plain square. */
 static const double PACKING = 0.80;
 
-/* What the rule of scatter needs: a mesh of Synth s is even when its points keep a
- * distance r/scale. */
+/* The data of the rule of scatter: the mesh of a surface is even if the points of the plane are
+ * r/scale apart. */
 typedef struct Plan {
 	const Synth *s;
 	SynthDomain  d;
@@ -103,15 +103,15 @@ side_lengths(const Plan *plan, int k, double len[PIECES + 1])
 static int
 side_points(const Plan *plan, int k, Points *p)
 {
-	double len[PIECES + 1], want, t, x, y, n;
+	double len[PIECES + 1], target, t, x, y, n;
 	int i, j = 0;
 
 	n = floor(side_lengths(plan, k, len)/(SPACING*plan->r) + 0.5);
 	for (i = 1; i < n; i++) {
-		want = len[PIECES]*i/n;
-		while (j < PIECES-1 && len[j+1] < want)
+		target = len[PIECES]*i/n;
+		while (j < PIECES-1 && len[j+1] < target)
 			j++;
-		t = (j + (want - len[j])/(len[j+1] - len[j]))/PIECES;
+		t = (j + (target - len[j])/(len[j+1] - len[j]))/PIECES;
 		side_at(&plan->d, k, t, &x, &y);
 		if (scatter_add(p, x, y))
 			return SYNTH_ENOMEM;
@@ -185,8 +185,8 @@ points(Plan *plan, double top, uint64_t seed, Points *p)
 	return scatter(&rule, seed, p) ? SYNTH_ENOMEM : 0;
 }
 
-/* Points n in number, or nearly: packing and rounding differ from mesh to mesh, so
- * the distance is corrected and all repeated where the first guess is out. */
+/* About n points.  Packing and rounding differ from mesh to mesh; where the first guess gives
+ * another number, the distance is corrected and all is repeated. */
 static int
 fit_points(Plan *plan, int n, uint64_t seed, Points *p)
 {
