@@ -47,9 +47,9 @@ larger_first(const void *a, const void *b)
 	return x->t > y->t ? 1 : -1;
 }
 
-/* Marks the triangles with the largest terms, the fewest that hold SHARE of the certificate,
- * and at most `most`.  Returns how many, or SPD_ENOMEM.  There are none when `most` is 0, and
- * when rounding leaves no term above 0. */
+/* Marks the triangles with the largest terms: the fewest that hold SHARE of the certificate,
+ * and at most `most`.  Returns their number, or SPD_ENOMEM.  It is 0 if `most` is 0 or if
+ * rounding leaves no term above 0. */
 static int
 mark(const AdaptMap *m, int most, unsigned char *marked)
 {
@@ -91,7 +91,7 @@ solve(AdaptMap *m, const Disk *coarse, const int vertex[4], SpdReport *report)
 	return rectmap(&m->d, coarse, m->corner, m->u, m->v, &m->T, &m->certificate, report);
 }
 
-/* Splits the marked faces of d, which may be m's own disk, into four; m then has the result.
+/* Splits the marked faces of d, which may be m's own disk, into four; the result is m's disk.
  * Frees marked. */
 static int
 split_marked(AdaptMap *m, const Disk *d, unsigned char *marked)
@@ -108,7 +108,7 @@ split_marked(AdaptMap *m, const Disk *d, unsigned char *marked)
 	return 0;
 }
 
-/* Splits the faces with the largest terms, at most `most` of them.  Returns how many, or
+/* Splits the faces with the largest terms, at most `most` of them.  Returns their number, or
  * SPD_ENOMEM. */
 static int
 split_worst(AdaptMap *m, int most)
@@ -163,9 +163,9 @@ split_all(AdaptMap *m, const AdaptOptions *o, const int vertex[4], SpdReport *re
 	return e;
 }
 
-/* Splits the faces of d at the corners into four; m then has the result.  Where the boundary
- * is smooth the map is singular at a corner, so these faces would be the first to be split
- * anyway: a solve is saved. */
+/* Splits the faces of d at the corners into four; the result is m's disk.  At a corner on a
+ * smooth boundary the map is singular: these faces would be the first to be split anyway, and
+ * a solve is saved. */
 static int
 split_corners(AdaptMap *m, const Disk *d, const int vertex[4])
 {

@@ -15,13 +15,13 @@
  * with the largest terms are split.
  *
  * In the end all triangles are split, and quadratic elements use the midpoints of their sides.
- * Linear elements have an error O(h^2) that jumps from vertex to vertex, with which H does not
- * converge to second order; with quadratic ones (u,v) is smooth. */
+ * The error of linear elements is O(h^2) but jumps from vertex to vertex, so H does not
+ * converge to second order.  With quadratic elements (u,v) is smooth. */
 typedef struct AdaptOptions {
-	double tolerance;       /* of the certificate; below 1, the facets at the corners are
+	double tolerance;       /* of the certificate; if < 1, the facets at the corners are
 	                         * split three times, then those with the largest terms until
 	                         * the certificate is no larger than this */
-	int    split;           /* how often every facet is then split into four */
+	int    split;           /* number of splits of every facet into four after that */
 	int    most;            /* both stop at about this many vertices */
 } AdaptOptions;
 

@@ -22,7 +22,7 @@ typedef struct Conformal {
 	int     polished;       /* rounds kept */
 } Conformal;
 
-enum { CONFORMAL_ETURNED = -20 };       /* c->turned > 0, and options do not keep them */
+enum { CONFORMAL_ETURNED = -20 };       /* c->turned > 0, and keep_turned is 0 */
 
 /* Maps the disk d and samples it on g.nu x g.nv nodes (g.T is not read).  corner: indices into
  * its loop.  Returns 0, CONFORMAL_ETURNED, SPD_ENOMEM, SPD_EINDEFINITE or SPD_ELARGE; on an

@@ -7,7 +7,7 @@
 static const double REACH = 1.0/40;             /* length of the chords over that of the loop, first value */
 static const double SHORT = 1.5;                /* .. and its last, in mean edges */
 static const double CLEAR = 50*M_PI/180;        /* least turning angle of a corner */
-static const double NEXT = 0.6;                 /* largest turn of the fifth vertex over that of the fourth */
+static const double NEXT = 0.6;                 /* the turn of the fifth vertex is at most this times the fourth's */
 
 /* The boundary by arc length: s[i] from the start to loop vertex i, s[nb] its length. */
 static double *
@@ -123,7 +123,7 @@ loop_distance(const double *s, int nb, int i, double a)
 	return fmin(t, s[nb] - t)/s[nb];
 }
 
-/* Of the vertices farther than `far` from the k chosen ones, that of the largest turn, or -1. */
+/* The vertex of the largest turn among those farther than `far` from the k chosen ones, or -1. */
 static int
 sharpest(const double *s, int nb, const double *angle, double far, const int *chosen, int k)
 {
@@ -146,7 +146,7 @@ ascending(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* Finds four clear corners, in the order of the loop.  Returns 1, or 0 if there are not. */
+/* Finds four clear corners, in the order of the loop.  Returns 1, or 0 if there are fewer. */
 static int
 clear_corners(const double *s, int nb, const double *angle, double far, int corner[4])
 {

@@ -18,14 +18,14 @@ enum {
 
 /* Chooses four corners by the shape of the boundary (doc/mathematics.md 3.4).
  *
- * The turn of the boundary at a vertex is the angle between the two chords from it to the
- * points one reach back and one reach forward along the loop; negative where the boundary
+ * The turn of the boundary at a vertex is the angle between the chord from the point one reach
+ * back along the loop and the chord to the point one reach forward; negative where the boundary
  * turns away from the surface.  The first reach is 1/40 of the loop, so that a ragged edge does
- * not count as a corner; narrow strips show their corners only at shorter ones, so it is
- * halved in steps of sqrt(2) down to one and a half edges of mean length.  The first reach
- * at which the boundary has four clear corners decides: local maxima of the turn of at
- * least 50 degrees, more than two reaches apart, and no fifth of more than 0.6 of the fourth.
- * When there is no such reach, the four are the vertices nearest to equal arc length.
+ * not count as a corner.  The corners of narrow strips show only at shorter reaches, so the
+ * reach is divided by sqrt(2) again and again, down to one and a half edges of mean length.  The
+ * first reach at which the boundary has four clear corners is used: local maxima of the turn of
+ * at least 50 degrees, more than two reaches apart, and no fifth above 0.6 of the fourth.
+ * Without such a reach, the four are the vertices nearest to equal arc length.
  * In both cases corner[0] is the corner nearest to the start of the loop, which is its lowest
  * vertex number.
  *
@@ -38,11 +38,11 @@ int corners_auto(const Disk *d, int corner[4]);
 int corners_given(const Disk *d, const int vertex[4], int corner[4], int *at);
 
 /* The vertices nearest to four places of the loop, in its order.  A place is its arc length
- * from the start over the length of the loop, 0 <= place < 1.  Where two would be the same
+ * from the start over the length of the loop, 0 <= place < 1.  If two would be the same
  * vertex, the later one becomes the next vertex.  Returns 0, CORNERS_ENOMEM or CORNERS_EFEW. */
 int corners_at(const Disk *d, const double place[4], int corner[4]);
 
-/* The vertex of the boundary nearest to x; of equally near ones that of the lowest number. */
+/* The boundary vertex nearest to x; among equally near ones the lowest number. */
 int corners_nearest(const Disk *d, const double x[3]);
 
 #endif

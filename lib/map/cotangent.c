@@ -23,7 +23,7 @@ half_cotangents(const Mesh *m, int t, double w[3])
 		sub3(&m->xyz[3*(size_t)c[(k+1)%3]], x, a);
 		sub3(&m->xyz[3*(size_t)c[(k+2)%3]], x, b);
 		cross3(a, b, n);
-		w[k] = dot3(a, b)/(2*norm3(n));
+		w[k] = dot3(a, b)/(2*norm3(n));         /* of the metric (3) */
 	}
 }
 
@@ -65,7 +65,7 @@ cotangent_energy(const Mesh *m, const double *u, const double *v, double *Eu, do
 }
 
 /* Row i has one entry for every side of a face that starts at i, and one for the boundary
- * edge that ends there.  place[3*t + k] is the entry of the side opposite to corner k of face
+ * edge that ends at i.  place[3*t + k] is the entry of the side opposite to corner k of face
  * t; next is workspace, [nv]. */
 static void
 find_places(Cotangent *C, const Disk *d, int *next)
@@ -92,7 +92,7 @@ find_places(Cotangent *C, const Disk *d, int *next)
 		C->g.adj[next[d->loop[(i+1)%d->nb]]++] = d->loop[i];
 }
 
-/* Adds the matrix to its transpose: both entries of an edge of vertex i get their sum. */
+/* Both entries of each edge of vertex i get their sum. */
 static void
 add_transpose(Cotangent *C, int i)
 {

@@ -20,14 +20,14 @@ typedef struct Cotangent {
 int  cotangent_init(Cotangent *C, const Disk *d);
 void cotangent_free(Cotangent *C);
 
-/* The same in two steps: the graph, which is enough to compute an elimination order; then c. */
+/* The same in two steps: the graph, which an elimination order needs; then c. */
 int  cotangent_graph(Cotangent *C, const Disk *d);
 void cotangent_values(Cotangent *C, const Disk *d);
 
 /* The stiffness matrix of quadratic elements on a mesh; unknowns are the values at its
  * vertices and, after them, at the midpoints of its edges.  With every triangle split
- * into four at the midpoints it is (4 C_fine - C_coarse)/3, C_coarse being 0 at the
- * midpoints.  fine: in C_fine, out the matrix.  Returns 0 or COTANGENT_ENOMEM; fine is then
+ * into four at the midpoints it is (4 C_fine - C_coarse)/3, where C_coarse is 0 at the
+ * midpoints.  fine: in C_fine, out the matrix.  Returns 0, or COTANGENT_ENOMEM with fine
  * unchanged. */
 int cotangent_quadratic(Cotangent *fine, const Cotangent *coarse);
 

@@ -19,9 +19,9 @@ static const struct { int metric; double worth; } STAGE[] = {
 };
 enum { STAGES = 2, PATIENCE = 3 };
 static const double UNDONE = 4e-3;
-static const double FOLDED = 2e-3;      /* mean above which it takes PATIENCE rounds without gain
-                                         * to end the first stage, not one: from a start with
-                                         * folds the mean may first rise */
+static const double FOLDED = 2e-3;      /* mean above which the first stage ends after PATIENCE
+                                         * rounds without gain, not one: from a start with folds
+                                         * the mean may first rise */
 
 static int
 grid_alloc(Grid *a, Chart g)
@@ -235,7 +235,7 @@ next_stage(int stage, const State *best, State *now, int *idle)
 	return best->mean > UNDONE ? stage + 1 : STAGES;
 }
 
-/* On entry best is the start. */
+/* In: best is the start.  Out: the round with the least mean. */
 static int
 iterate(const Sampler *sampler, State *best, State work[2], int rounds, double enough, Shift *shift,
 	double *mu, int *done)

@@ -24,7 +24,7 @@ typedef struct Grid {
 int  grid_init(Grid *a, Chart g, const Sampler *s);
 void grid_free(Grid *a);
 
-/* Polishes in at most `rounds` rounds.  It stops earlier when rounds gain nothing more, or when
+/* Polishes in at most `rounds` rounds.  It stops earlier if rounds gain nothing more, or if
  * the mean modulus of the Beltrami coefficient over the inner nodes is at most `enough`.  The
  * round with the smallest mean is kept.  If the mean stays above 4e-3 (surfaces that turn much
  * within a cell), rounds with the cell metric are followed by rounds with the node metric.
@@ -33,7 +33,7 @@ void grid_free(Grid *a);
  * pu, pv   in/out  [n] points that move with the grid, in the chart of a; n may be 0
  * done     out     rounds up to the one that is kept
  *
- * Returns 0 or POLISH_ENOMEM; on an error a is a grid no worse than the given one. */
+ * Returns 0 or POLISH_ENOMEM; a is then a grid no worse than the given one. */
 int polish(const Sampler *s, Grid *a, int rounds, double enough, int n, double *pu, double *pv, int *done);
 
 #endif

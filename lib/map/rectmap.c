@@ -1,4 +1,4 @@
-/* rectmap.c - two harmonic functions with one sparse factor, and the modulus. */
+/* rectmap.c - two harmonic functions from one symbolic factorization, and the modulus. */
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include "../sparse/chol.h"
 #include "rectmap.h"
 
-enum { NUMBERS = 40 };  /* about so many for each vertex: the matrix and its order */
+enum { NUMBERS = 40 };  /* per vertex, about: the matrix and its order */
 
 /* C_ff x_f = -C_fs x_s for the free vertices f, with the values of the side vertices s given.
  * This part is shared by both systems. */
@@ -81,7 +81,7 @@ prepare(const Disk *d, const Disk *coarse, Harmonic *h)
 
 /* Sets the vertices of a side, from corner a to corner b of the loop, to a value. */
 static void
-hold(const Disk *d, int a, int b, double value, double *x, unsigned char *held)
+set_side(const Disk *d, int a, int b, double value, double *x, unsigned char *held)
 {
 	int i;
 
@@ -116,8 +116,8 @@ solve(const Disk *d, const int corner[4], int k, Harmonic *h, double *x, SpdRepo
 	if (!held)
 		return SPD_ENOMEM;
 	memset(x, 0, d->m.nv*sizeof *x);
-	hold(d, corner[k], corner[(k+1)%4], 0, x, held);
-	hold(d, corner[(k+2)%4], corner[(k+3)%4], 1, x, held);
+	set_side(d, corner[k], corner[(k+1)%4], 0, x, held);
+	set_side(d, corner[(k+2)%4], corner[(k+3)%4], 1, x, held);
 	right_hand_side(&h->C, held, x);
 	e = chol_solve(&h->chol, &a, x, &report->column);
 	for (i = 0; !e && i < d->m.nv; i++)
@@ -129,7 +129,7 @@ solve(const Disk *d, const int corner[4], int k, Harmonic *h, double *x, SpdRepo
 	return e == CHOL_ENOMEM ? SPD_ENOMEM : e ? SPD_EINDEFINITE : 0;
 }
 
-/* u and v1, before v1 is multiplied by T. */
+/* u and v1, the map (4) before v1 is multiplied by T. */
 static int
 harmonic_pair(const Disk *d, const Disk *coarse, const int corner[4], double *u, double *v, SpdReport *report)
 {
@@ -181,10 +181,10 @@ rectmap(const Disk *d, const Disk *coarse, const int corner[4], double *u, doubl
 		return e;
 	if (!(Eu > 0 && Eu < HUGE_VAL && Ev > 0 && Ev < HUGE_VAL))
 		return SPD_EINDEFINITE;
-	*T = sqrt(Eu/Ev);
+	*T = sqrt(Eu/Ev);                               /* (6) */
 	*certificate = sqrt(Eu*Ev) - 1;
 	for (i = 0; i < d->m.nv; i++)
-		v[i] *= *T;
+		v[i] *= *T;                             /* (4) */
 	return 0;
 }
 

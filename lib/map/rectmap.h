@@ -1,10 +1,13 @@
 /* rectmap.h - conformal map of a disk onto a rectangle, by two cotangent systems.
  *
  * Four corners make the disk a quadrilateral.  u is harmonic, 0 on its left and 1 on its
- * right side, free on the others; v1 likewise between bottom and top.  The Dirichlet
- * energies bound the conformal modulus from both sides, E(u) >= T >= 1/E(v1), so
+ * right side, free on the others; v1 is the same between bottom and top.  The Dirichlet
+ * energies, of the metric (3) of the mesh, bound the conformal modulus from both sides,
+ * E(u) >= T >= 1/E(v1), so
  *
- *   T = sqrt(E(u)/E(v1)),   v = T v1,   certificate = sqrt(E(u) E(v1)) - 1 >= 0,
+ *   map          p -> (u,v),   v = T v1                                      (4)
+ *   conformal    T = sqrt(E(u)/E(v1))                                        (6)
+ *   certificate  sqrt(E(u) E(v1)) - 1 >= 0,
  *
  * and the certificate is 0 only for an exactly conformal map (doc/mathematics.md 3.1, 3.2).
  */
@@ -17,10 +20,10 @@
 
 /* d          the disk
  * coarse     NULL, or the disk that d was before all its triangles were split into four
- *            (refine_split with NULL): the elements are then the quadratic ones of coarse, on which
- *            (u,v) err by O(h^3) instead of O(h^2) where the mesh is irregular, and the
- *            certificate is theirs
- * corner     places in the boundary loop, as corners.h gives them
+ *            (refine_split with NULL): then the elements are the quadratic ones of coarse.
+ *            The error of (u,v) is O(h^3) instead of O(h^2) where the mesh is irregular, and
+ *            the certificate is that of these elements
+ * corner     indices into the boundary loop (corners.h)
  * u, v       out  [nv] of each vertex, 0 <= v <= T on the sides
  * report     out  the bytes of the factor, 0 if not known; on SPD_EINDEFINITE the vertex
  *

@@ -12,7 +12,7 @@ enum { HOLD_U = 1, HOLD_V = 2 };
 typedef struct Tangle {
 	const Disk    *d;
 	double        *u, *v;
-	unsigned char *hold;    /* [nv] which coordinates the sides fix */
+	unsigned char *hold;    /* [nv] the coordinates that the sides fix */
 	unsigned char *moving;  /* [nv] */
 	double        *sum;     /* [nv][3] of weights, of weighted u, of weighted v */
 } Tangle;

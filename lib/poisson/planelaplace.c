@@ -1,4 +1,4 @@
-/* planelaplace.c - division by the eigenvalues of the Laplacian, between FFTW's transforms. */
+/* planelaplace.c - transform by FFTW, divide by the eigenvalues of the Laplacian, transform back. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -68,7 +68,7 @@ planelaplace_init(PlaneLaplace *p, Chart g, int axis)
 
 /* With the basis B of sines and cosines and the weights W (1/2 at free ends) that make it
  * orthogonal, P = W B Lambda B^-1, so z = B Lambda^-1 B' r up to the norms.  Input of FFTW's
- * transforms is r/2 in each direction, but r at free ends. */
+ * transforms is r/2 in each direction, and r at free ends. */
 void
 planelaplace_solve(const PlaneLaplace *p, const double *r, double *z)
 {

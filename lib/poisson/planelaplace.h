@@ -2,7 +2,7 @@
  *
  * Bilinear elements on [0,1] x [0,T]; values are 0 on the two sides across one axis and
  * free on the other two.  Its eigenvectors are sines along the axis and cosines across
- * it.  The preconditioner of the polish, whose operator is near it (doc/mathematics.md 3.6).
+ * it.  The preconditioner of the polish (doc/mathematics.md 3.6).
  */
 #ifndef PLANELAPLACE_H
 #define PLANELAPLACE_H

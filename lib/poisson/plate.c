@@ -1,4 +1,4 @@
-/* plate.c - division by the eigenvalues of a plate, between sine or cosine transforms.
+/* plate.c - transform by sines or cosines, divide by the eigenvalues of a plate, transform back.
  *
  * Two-dimensional transforms are made of one-dimensional ones: threads share the rows of
  * all three fields, and no FFTW plan depends on the number of threads.  Columns are copied
@@ -15,7 +15,7 @@
 
 enum { WIDTH = 8 };             /* columns copied at a time: one cache line */
 
-/* The n eigenvalues of waves first, first + 1, .. over N steps. */
+/* The eigenvalues of the waves first, .., first + n-1 over N steps. */
 static double *
 eigenvalues(int n, int first, int N, double step)
 {
@@ -27,7 +27,7 @@ eigenvalues(int n, int first, int N, double step)
 	return e;
 }
 
-/* Number of unknown nodes of n along u or v. */
+/* Number of unknown nodes among n along u or v. */
 static int
 unknown(const Plate *p, int n)
 {

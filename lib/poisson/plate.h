@@ -1,13 +1,13 @@
 /* plate.h - the operator of a plate under tension on a grid, inverted by fast transforms.
  *
- *   P = a Delta^2 - b Delta,   fields 0 on the border, Delta d = 0 there too,
+ *   P = a Delta^2 - b Delta,   fields d with d = 0 and Delta d = 0 on the border,
  *
- * with the five-point Laplacian, whose eigenvectors are the sines: the preconditioner of
- * the surface method (doc/mathematics.md 6.4).  Where the border is free,
+ * with the five-point Laplacian.  Its eigenvectors are the sines.  P is the preconditioner of
+ * the surface method (doc/mathematics.md 6.4).  With a free border,
  *
- *   P = W (a Delta^2 - b Delta + c),   Delta of the fields mirrored at the border,
+ *   P = W (a Delta^2 - b Delta + c),   Delta of the fields mirrored at the border.
  *
- * whose eigenvectors are the cosines; W is 1/2 on the border, 1/4 in the corners, so that P is
+ * The eigenvectors are the cosines; W is 1/2 on the border, 1/4 in the corners, so that P is
  * symmetric.  c is b times the least eigenvalue of -Delta that is not 0: the misfit does not
  * depend on constants, so P treats them like the longest waves.
  */
@@ -32,10 +32,9 @@ typedef struct Plate {
 int  plate_init(Plate *p, Chart g, int free);
 void plate_free(Plate *p);
 
-/* z = P^-1 z in place, for three fields z[3][nv][nu]; unless the border is free they are 0
- * there and stay so.  Takes six sine (cosine) transforms: one vector Poisson solve, the unit
- * in which the cost of a reconstruction is counted.  The same bits for any number of
- * threads. */
+/* z = P^-1 z in place, for three fields z[3][nv][nu]; on a held border they must be 0 and
+ * remain 0.  The cost is six sine (cosine) transforms: one vector Poisson solve, the unit in
+ * which the cost of a reconstruction is counted.  The same bits for any number of threads. */
 void plate_solve(const Plate *p, double a, double b, double *z);
 
 #endif

@@ -5,8 +5,8 @@
 
 #include "transform.h"
 
-/* In the workspace the Fourier transform follows the N numbers it is made of, with the same
- * alignment. */
+/* The offset in the workspace of the Fourier transform, after its N input numbers and with
+ * their alignment. */
 static size_t
 spectrum_offset(int N)
 {

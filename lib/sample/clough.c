@@ -17,7 +17,7 @@
 #include "clough.h"
 #include "../base/vec3.h"
 
-/* The ordinates of a triangle, but for those near S. */
+/* The ordinates of a triangle, except those near S. */
 typedef struct Ordinates {
 	const double *f[3];
 	double t[3][2][3];      /* t[i][0] towards i+1, t[i][1] towards i+2 */
@@ -58,7 +58,7 @@ middle_derivative(const Clough *c, int i, int j, double xu, double xv, double ou
 }
 
 /* Moves c_k to within GRADIENT_BEND/3 of the longest side L from its place in a flat triangle,
- * the mean of i, j and S.  Returns whether it had to be moved. */
+ * the mean of i, j and S.  Returns 1 if it was moved. */
 static int
 limit(const Ordinates *n, int k, double L, double ck[3])
 {

@@ -7,10 +7,10 @@
 #include "../base/vec3.h"
 
 enum {
-	ENOUGH = 15,    /* rings are added until there are more points than this .. */
-	RINGS  = 6,     /* .. or so many rings */
-	FAN    = 16     /* at most about so many triangles of a vertex are visited: a hub of a
-	                 * million triangles must not cost its neighbours a million each */
+	ENOUGH = 15,    /* rings are added until the points are more than this .. */
+	RINGS  = 6,     /* .. or the rings this many */
+	FAN    = 16     /* about the most triangles visited at a vertex: a hub of a million
+	                 * triangles must not cost each of its neighbours a million visits */
 };
 
 int
@@ -55,9 +55,9 @@ join(Hood *h, int v)
 	h->slot[k] = h->n;
 }
 
-/* Adds the neighbours of vertex i; of a hub, some.  Every side opposite to i adds its first end.
- * If the triangles close round i, these are all neighbours: the last ends are the same vertices,
- * so the differences sum to 0.  If that sum is not 0, the last ends are added as well. */
+/* Adds the neighbours of vertex i; at a hub, only some.  Every side opposite to i adds its first
+ * end.  If the triangles close round i, these are all neighbours: the last ends are the same
+ * vertices, and the differences sum to 0.  If the sum is not 0, the last ends are added as well. */
 static void
 join_neighbours(const Mesh *m, const Stars *s, Hood *h, int i)
 {
@@ -138,8 +138,8 @@ side_factor(const Mesh *m, const double *u, const double *v, const Jet *jet, int
 	return fmax(s, 0);
 }
 
-/* A quick test that nearly always passes: the jet at ring[0] keeps the limits along the sides
- * to ring[1], .., with the length of each side in place of the longest of its triangle. */
+/* A quick sufficient test, which nearly always passes: the jet at ring[0] keeps the limits along
+ * the sides to ring[1], .., with the length of each side in place of the triangle's longest. */
 static int
 clearly_within(const Mesh *m, const double *u, const double *v, const Jet *jet, const int *ring, int n)
 {
@@ -155,7 +155,7 @@ clearly_within(const Mesh *m, const double *u, const double *v, const Jet *jet, 
 	return 1;
 }
 
-/* The same for all triangles at i. */
+/* The smallest side_factor over all triangles at i. */
 static double
 limiting_factor(const Mesh *m, const Stars *s, const double *u, const double *v, const Jet *jet, int i)
 {

@@ -5,14 +5,13 @@
  *
  *   minimise  sum_j w_j^2 |P(u_j,v_j) - phi_j|^2,     P(u_i,v_i) = phi_i,
  *
- * over two rings of neighbours, or more until there are enough points that no term of P
- * depends on the others (at most six rings, 64 points).  The neighbourhood is first
- * brought to unit variance in all directions, so that neither a unit nor the aspect of
- * the triangles matters; w_j = 1/distance, in those coordinates.  The fit is by
- * Householder reflections.  A term that the points cannot tell from earlier ones (few
- * points, or in few rows) is left out, the higher degrees first.  For smooth phi first
- * derivatives carry an O(h^3) error, second ones O(h^2), also on the boundary; cubics are
- * exact.
+ * over two rings of neighbours, or more until the points determine all terms of P (at most
+ * six rings, 64 points).  The neighbourhood is first scaled to unit variance in all
+ * directions, so that neither the unit nor the aspect of the triangles matters; w_j =
+ * 1/distance in those coordinates.  The fit is by Householder reflections.  A term that
+ * depends on earlier ones at these points (few points, or points in few rows) is left out,
+ * the higher degrees first.  For smooth phi the error is O(h^3) in first derivatives and
+ * O(h^2) in second ones, also on the boundary; cubics are exact.
  *
  * Limits.  Creases, noise and overlapping triangles must not make an interpolant of these
  * derivatives overshoot.  With e the step in (u,v) from i to another vertex of a triangle
@@ -20,11 +19,12 @@
  *
  *   |phi'(e) - d| <= GRADIENT_BEND L,     |phi''(e,e)|/8 <= GRADIENT_BEND L.
  *
- * Where that fails the fit is cut to its second degree; if that fails too, to its first; if
- * that fails as well, the first degree is scaled down until it holds.  Nothing is cut on the smooth surfaces of mkmesh from 60
- * vertices on, nor near z -> z^2, the local form of the map where a corner of the
- * rectangle lies on a smooth boundary; of the vertices of scans and cortices with their discrete (u,v), none to two
- * in a thousand, of the worst (faces of 2000 vertices, coarse heads) three in a hundred.
+ * If the fit exceeds them it is cut to its second degree, and if that does, to its first.  If
+ * that does as well, the first degree is scaled down until it keeps them.  Nothing is cut on
+ * the smooth surfaces of mkmesh from 60 vertices on, nor near z -> z^2, the local form of the
+ * map where a corner of the rectangle lies on a smooth boundary.  On scans and cortices with
+ * their discrete (u,v) it is none to two vertices in a thousand, on the worst (faces of 2000
+ * vertices, coarse heads) three in a hundred.
  */
 #ifndef GRADIENT_H
 #define GRADIENT_H
@@ -46,12 +46,12 @@ typedef struct Stars {
 	int *first, *side;
 } Stars;
 
-/* Returns 0 or GRADIENT_ENOMEM, nothing to free then. */
+/* Returns 0, or GRADIENT_ENOMEM with nothing to free. */
 int  stars_init(Stars *s, const Mesh *m);
 void stars_free(Stars *s);
 
 /* State of a vertex: a caller sets GRADIENT_WANTED; the fit replaces it by GRADIENT_KNOWN,
- * with one or both of the other two added. */
+ * plus GRADIENT_LOW or GRADIENT_LIMITED or both where they apply. */
 enum {
 	GRADIENT_WANTED  = 1,
 	GRADIENT_KNOWN   = 2,
@@ -59,9 +59,9 @@ enum {
 	GRADIENT_LIMITED = 8    /* the polynomial was cut or scaled */
 };
 
-/* The derivatives at the vertices in state GRADIENT_WANTED, finite for finite u, v and phi up
- * to 1e100 in size; 0 at a vertex of no triangle.  Runs in threads, and the result does not
- * depend on their number; time and memory are linear in the mesh.
+/* The derivatives at the vertices in state GRADIENT_WANTED: finite if u, v and phi are finite
+ * and at most 1e100 in size; 0 at a vertex without triangles.  Runs in threads, and the result
+ * does not depend on their number; time and memory are linear in the mesh.
  *
  * s        in      the triangles at each vertex of m
  * m        in      phi = m->xyz; the mesh need not be a disk

@@ -43,15 +43,15 @@ step(const Locator *l, int t, int k, int from)
 	return twin < 0 ? -1 : twin/3;
 }
 
-/* Walks from t.  Returns the triangle that holds the point, or the one in which it lay deepest;
- * w are its coordinates there. */
+/* Walks from t.  Returns the triangle that contains the point, or else the one visited in which
+ * it lies deepest; w: its coordinates there. */
 static int
 walk(const Locator *l, int t, double x, double y, double w[3])
 {
 	double here[3], deepest = -HUGE_VAL;
 	int best = t, from = -1, next, k, left = 64 + 4*(int)sqrt(l->m->nf);
 
-	w[0] = w[1] = -1, w[2] = 3;     /* nothing found */
+	w[0] = w[1] = -1, w[2] = 3;     /* nothing found yet */
 	for (; t >= 0 && left > 0; left--, from = t, t = next) {
 		k = -1;         /* no coordinates in a flat triangle: go on */
 		if (barycentric(l, t, x, y, here)) {
@@ -110,8 +110,8 @@ locate(const Locator *l, double x, double y, double bary[3])
 	return t;
 }
 
-/* Sets each cell of the table to a triangle whose centre lies in it, or, if there is none, to
- * that of the cell before. */
+/* Sets each cell of the table to a triangle with its centre in the cell, or, if there is none,
+ * to that of the cell before. */
 static void
 fill_table(Locator *l)
 {

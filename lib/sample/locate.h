@@ -18,9 +18,9 @@ typedef struct Locator {
 int  locator_init(Locator *l, const Disk *d, const double *u, const double *v, double T);
 void locator_free(Locator *l);
 
-/* The triangle that holds (x,y), and its barycentric coordinates there, each in 0..1.
- * Found by a walk from the triangle of the table.  If no triangle holds the point, as may
- * happen among turned or flat triangles, the one in which it lies deepest, with negative
+/* The triangle that contains (x,y), and its barycentric coordinates there, each in 0..1.
+ * Found by a walk from the triangle of the table.  If no triangle contains the point, which can
+ * happen among turned or flat triangles: the one in which it lies deepest, with negative
  * coordinates set to 0.  May be called from several threads. */
 int  locate(const Locator *l, double x, double y, double bary[3]);
 

@@ -1,8 +1,8 @@
 /* polyfit.c - least squares for the polynomial of a neighbourhood, by Householder reflections.
  *
  * No pivoting.  The columns are in the order of their degree, so the leading part of the
- * triangle is the fit of lower degree at no cost, and of dependent terms the higher one is left
- * out.
+ * triangular factor is the fit of lower degree at no cost, and among dependent terms the
+ * higher ones are left out.
  */
 #include <string.h>
 
@@ -10,7 +10,7 @@
 #include "polyfit.h"
 #include "../base/vec3.h"
 
-/* A term is left out when less than this share of its column is independent of earlier ones. */
+/* A term is left out if less than this share of its column is independent of earlier columns. */
 static const double NEW = 0.02;
 
 /* Extents below these, as a share of the others and in (u,v), count as 0. */

@@ -28,8 +28,8 @@ typedef struct Polyfit {
 	double a[POLYFIT_MOST][POLYFIT_COLS];
 } Polyfit;
 
-/* Fits; f->rank is then 9, or less when points are too few or lie so that some terms
- * depend on earlier ones. */
+/* The fit.  f->rank is 9, or less if the points are too few or some terms depend on earlier
+ * ones at these points. */
 void polyfit(Polyfit *f, const Hood *h, const Mesh *m, const double *u, const double *v);
 
 /* The derivatives at v[0] of the fit with the terms up to a degree, 1 to 3. */

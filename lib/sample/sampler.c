@@ -39,7 +39,7 @@ sampler_free(Sampler *s)
 	s->state = NULL;
 }
 
-/* Where a point lies: barycentric coordinates 1 and 2 in triangle t. */
+/* A point of the chart as barycentric coordinates 1 and 2 in triangle t. */
 typedef struct Place {
 	int    t;
 	double w[2];
@@ -64,7 +64,7 @@ find_places(const Sampler *s, int n, const double *x, const double *y)
 	return place;
 }
 
-/* Marks the corners of the triangles of the places, where jets are not known. */
+/* Marks those corners of the triangles of the places that have no jet yet. */
 static void
 mark_corners(const Mesh *m, int n, const Place *place, unsigned char *state)
 {

@@ -26,14 +26,14 @@ typedef struct Sampler {
 int  sampler_init(Sampler *s, const Disk *d, const double *u, const double *v, double T, int surface);
 void sampler_free(Sampler *s);
 
-/* phi (11) at every node of g (24), (x,y) its place in the chart of the mesh; all [nv][nu].
- * Computes the jets that it needs, and keeps them: not from several threads at once.
- * Returns 0 or SAMPLER_ENOMEM. */
+/* phi (11) at every node of g (24); (x,y) is the place of each node (23) in the chart of the
+ * mesh; all [nv][nu].  Computes the jets that it needs and keeps them in s, so it must not run
+ * in several threads at once.  Returns 0 or SAMPLER_ENOMEM. */
 int  sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double *const phi[3]);
 
-/* A channel of the mesh at the same nodes, out[k] being number k of its c->n, in the same way: linear,
- * or C1 and cubic.  Each number f is then sampled as the surface (f, a u, a v), a the range of f,
- * so that the limits of gradient.h and clough.h keep it from overshooting at a jump.
+/* A channel of the mesh at the same nodes, interpolated in the same way: linear, or C1 and cubic.
+ * out[k] is component k of its c->n.  Each component f is sampled as the surface (f, a u, a v),
+ * a the range of f, so that the limits of gradient.h and clough.h prevent overshooting at a jump.
  *
  * c        in   at the vertices of the disk of sampler_init
  * out      out  [c->n], each [nv][nu] */

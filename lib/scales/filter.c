@@ -39,7 +39,7 @@ waves_of(Spectrum s, int logarithm, const double *f, Waves *w)
 	return e;
 }
 
-/* The |C| that is one percent of the root mean square. */
+/* The modulus |C| that counts as one percent in FILTER_PERCENT. */
 static double
 one_percent(Spectrum s, int logarithm, const Waves *w)
 {
@@ -110,7 +110,7 @@ modulus_bound(Spectrum s, FilterRule rule, const double *a, double *bound)
 	if (rule == FILTER_ENERGY) {
 		for (q = 0; q < n; q++)
 			sum += sum_term(s, rule, &r[q]);
-		goal = *bound < 1 ? *bound*sum : HUGE_VAL;      /* all, whatever rounding does */
+		goal = *bound < 1 ? *bound*sum : HUGE_VAL;      /* 1 keeps all, despite rounding */
 	}
 	for (sum = q = 0; q < n && sum < goal; q++)
 		sum += sum_term(s, rule, &r[q]);
@@ -119,7 +119,8 @@ modulus_bound(Spectrum s, FilterRule rule, const double *a, double *bound)
 	return 0;
 }
 
-/* Replaces the moduli, and the bound, by minus the wave number: long waves are kept. */
+/* Replaces the moduli by minus the wave numbers, and the bound by minus itself: long waves are
+ * kept. */
 static void
 rank_by_wave(Spectrum s, double *a, double *bound)
 {
@@ -131,7 +132,7 @@ rank_by_wave(Spectrum s, double *a, double *bound)
 }
 
 /* Drops the coefficients that are not above the bound; with keep_equal, those below it.  Returns
- * whether one of them was not zero. */
+ * 1 if one of them was not zero. */
 static int
 drop(Spectrum s, double complex *C, const double *a, double bound, int keep_equal, size_t *kept)
 {

@@ -1,4 +1,4 @@
-/* filter.h - rules for the waves of a grid field to keep: (32) and variants of it. */
+/* filter.h - Algorithm 1: which waves of a grid field are kept, by (32) and variants of it. */
 #ifndef FILTER_H
 #define FILTER_H
 
@@ -6,16 +6,16 @@
 
 enum { FILTER_ENOMEM = -1 };
 
-/* Which coefficients stay; C_00, the mean, always does. */
+/* The coefficients that are kept; C_00, the mean, always is. */
 typedef enum FilterRule {
 	FILTER_PERCENT,         /* |C|/(nu nv rms) x 100 > bound, rms the root mean square of f
-	                         * (of log f minus its mean, under log): a K that means the
-	                         * same for lambda and H, for any unit of length and any size
+	                         * (of log f minus its mean, if log): this K has the same
+	                         * meaning for lambda and H, any unit of length and any size
 	                         * of grid (doc/mathematics.md 5.2) */
 	FILTER_RAW,             /* |C| > bound, as (32) is written */
 	FILTER_KEEP,            /* the `bound` largest in modulus, of nu nv, and those equal to
-	                         * the last; a conjugate pair counts two, kept or dropped as
-	                         * one */
+	                         * the last; a conjugate pair counts as two and is kept or
+	                         * dropped together */
 	FILTER_ENERGY,          /* the largest in modulus, until they hold `bound` of the sum of
 	                         * |C|^2 without the mean; 1 keeps all */
 	FILTER_LOWPASS          /* wave number <= bound, in cycles per unit of u */
@@ -27,8 +27,8 @@ typedef struct Filter {
 	int        log;         /* filter log f instead, f > 0; the result is > 0 too */
 } Filter;
 
-/* Drop coefficients of f by the rule, in place.  If only zero coefficients are dropped,
- * f is left untouched, bit for bit.  *kept: how many of nu nv stay.
+/* Drops coefficients of f by the rule, in place.  If only zero coefficients are dropped,
+ * f is left untouched, bit for bit.  *kept: the number that is kept, of nu nv.
  * Returns 1 if f has changed, 0 if not, or FILTER_ENOMEM. */
 int filter_field(Spectrum s, const Filter *by, double *f, size_t *kept);
 

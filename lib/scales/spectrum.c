@@ -7,7 +7,7 @@
 
 #include <fftw3.h>
 
-/* Aligned alike in every run, because FFTW's plan depends on the alignment. */
+/* The same alignment in every run: FFTW's plan depends on it. */
 static void *
 aligned(size_t bytes)
 {

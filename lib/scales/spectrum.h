@@ -6,8 +6,9 @@
  *   dft  C_mn = sum f_ij exp(-2 pi i (m i/nu + n j/nv)): f is extended
  *        periodically; it is real, so the columns 0 <= m <= nu/2 suffice    (16)-(19)
  *
- * by FFTW.  In both C_00 = sum f, and sum |C|^2 = nu nv sum f^2 over all nu nv of them: a
- * bound on |C| has the same meaning (doc/mathematics.md 5.1).  C is [nv][columns], the dct's imaginary parts 0.
+ * by FFTW.  In both C_00 = sum f, and sum |C|^2 = nu nv sum f^2 over all nu nv coefficients, so
+ * a bound on |C| has the same meaning in both (doc/mathematics.md 5.1).  C is [nv][columns]; the
+ * imaginary parts of the dct are 0.
  */
 #ifndef SPECTRUM_H
 #define SPECTRUM_H
@@ -33,8 +34,8 @@ int spectrum_columns(Spectrum s);
 /* Number of coefficients held, columns nv. */
 size_t spectrum_size(Spectrum s);
 
-/* How many of the nu nv coefficients one in column m stands for: 2 for a conjugate pair of
- * the dft of which only one is held, else 1. */
+/* The number of the nu nv coefficients that one in column m represents: 2 for a conjugate pair
+ * of the dft with only one of the two in C, 1 for all others. */
 int spectrum_weight(Spectrum s, int m);
 
 /* The wave number of coefficient q of C: cycles per unit of u, in any direction of (u,v),
@@ -47,8 +48,8 @@ double spectrum_wave(Spectrum s, size_t q);
 int spectrum_forward(Spectrum s, const double *f, double complex *C);
 int spectrum_inverse(Spectrum s, const double complex *C, double *f);
 
-/* |C|.  In the columns 0 and nu/2 of the dft both of a conjugate pair are held.  They get the
- * same modulus, not two that differ by rounding, so that a bound keeps or drops both. */
+/* |C|.  In the columns 0 and nu/2 of the dft both coefficients of a conjugate pair are in C.
+ * They get the same modulus, without rounding differences, so that a bound keeps or drops both. */
 void spectrum_moduli(Spectrum s, const double complex *C, double *modulus);
 
 #endif
