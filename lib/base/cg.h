@@ -14,20 +14,20 @@ typedef struct CgSystem {
 } CgSystem;
 
 typedef struct CgLimits {
-	double reduction;       /* of |r| in the norm of P^-1, at which to stop */
+	double reduction;       /* stop when |r| in the norm of P^-1 has fallen by this factor */
 	int    steps;
-	double radius;          /* of the trust region, |x - start| in the norm of P; or HUGE_VAL */
+	double radius;          /* of the trust region: |x - start| in the norm of P; or HUGE_VAL */
 	double worth;           /* stop when a step adds less than this share of the decrease */
 } CgLimits;
 
 typedef struct CgResult {
 	double decrease;        /* twice that of the function */
 	double length;          /* |x - start| in the norm of P, the radius if that was reached */
-	int    steps;           /* those of CgLimits if neither reduction nor worth nor radius ended it */
+	int    steps;           /* number done; that of CgLimits if no other limit was reached */
 } CgResult;
 
 /* x  in/out  a start, and the solution
- * r  in/out  the residual b - A x of the start; then that before the last step or after it
+ * r  in/out  in: the residual b - A x of the start; out: that before or after the last step
  * z, p, q    workspace of n numbers each */
 CgResult cg(const CgSystem *s, const CgLimits *limits, double *x, double *r, double *z, double *p, double *q);
 

@@ -18,13 +18,13 @@
 typedef struct Chart Chart;
 
 /* One row for each kind of chart.  A side of the domain is open, with nodes on it and nothing
- * beyond; or it is joined to a side, and then lies half a step beyond its last nodes. */
+ * beyond it; or it is joined to another side, and lies half a step beyond the last nodes. */
 typedef struct ChartKind {
 	int joined[2][2];       /* along u: the sides u = 0 and u = 1; along v: v = 0 and v = T */
 
-	/* The node (*i,*j) lies up to two steps beyond joined sides: replaces it by the node of
-	 * the grid that it is.  Returns 1, or -1 if the directions of u and v are both reversed
-	 * there, so that odd fields such as phi_u change their sign.  NULL if no side is joined. */
+	/* Replaces (*i,*j), up to two steps beyond joined sides, by the same node inside the
+	 * grid.  Returns 1, or -1 if the directions of u and v are both reversed there, so that
+	 * odd fields such as phi_u change their sign.  NULL if no side is joined. */
 	int (*beyond)(Chart g, int *i, int *j);
 } ChartKind;
 

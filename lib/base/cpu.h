@@ -1,6 +1,6 @@
 /* cpu.h - functions compiled for more than one kind of processor.
  *
- * TARGET("avx2") before a static function, HAS("avx2") where it is called. */
+ * Write TARGET("avx2") before a static function, and test HAS("avx2") before the call. */
 #ifndef CPU_H
 #define CPU_H
 

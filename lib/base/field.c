@@ -20,7 +20,7 @@ dot_block(size_t n, const double *a, const double *b)
 	return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
-/* The blocks are as many as MOST or fewer, whatever the threads. */
+/* At most MOST blocks, for any number of threads. */
 double
 field_dot(size_t n, const double *a, const double *b)
 {

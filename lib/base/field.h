@@ -1,5 +1,5 @@
-/* field.h - sums and updates of long arrays, on all threads and equal to the last bit for
- * any number of them: sums are made in blocks of fixed length, then over the blocks. */
+/* field.h - sums and updates of long arrays, on all threads.  Results are equal to the last bit
+ * for any number of threads: blocks of fixed length are summed first, then their sums. */
 #ifndef FIELD_H
 #define FIELD_H
 
@@ -14,7 +14,7 @@ void field_add(size_t n, double a, const double *x, double *y);
 /* y = x + a y */
 void field_turn(size_t n, const double *x, double a, double *y);
 
-/* y = a x, which are the same or lie apart. */
+/* y = a x; x and y are the same array or do not overlap. */
 void field_scale(size_t n, double a, const double *x, double *y);
 
 #endif

@@ -15,8 +15,8 @@ det3(double M[3][3])
 	return dot3(c, M[2]);
 }
 
-/* R = U diag(1, 1, d) V'.  LAPACK, which counts down columns, was given C' = V s U', so that
- * its u holds V by columns and its vt holds U by rows. */
+/* R = U diag(1, 1, d) V'.  LAPACK stores by columns, so it was given C' = V s U': its u holds V
+ * by columns and its vt holds U by rows. */
 static void
 compose(const double *u, const double *vt, double d, double R[3][3])
 {

@@ -13,9 +13,9 @@ typedef struct Rigid {
 	double R[3][3], t[3];
 } Rigid;
 
-/* The rotation that maximises  sum <a, R b> = tr(R' C)  for  C = sum a b',  and that
- * maximum: R = U diag(1, 1, det UV') V' and s1 + s2 +- s3 from the singular values C = U s V'.
- * Where several do, as of points on one line, it is one of them; the identity where C = 0.
+/* The rotation that maximises  sum <a, R b> = tr(R' C)  for  C = sum a b',  and the maximum:
+ * R = U diag(1, 1, det UV') V' and s1 + s2 +- s3, from the decomposition C = U s V'.  If several
+ * rotations do (points on one line), it is one of them; the identity if C = 0.
  *
  * Returns 0, PROCRUSTES_EVALUE or PROCRUSTES_ESVD. */
 int procrustes_rotation(double C[3][3], double R[3][3], double *gain);

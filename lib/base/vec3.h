@@ -1,4 +1,4 @@
-/* vec3.h - the few operations on three numbers that kernels need, and one on two. */
+/* vec3.h - vectors of three numbers, and the larger of two numbers. */
 #ifndef VEC3_H
 #define VEC3_H
 
@@ -32,7 +32,7 @@ norm3(const double a[3])
 	return sqrt(dot3(a, a));
 }
 
-/* As fmax where a is a number, and no call. */
+/* fmax(a, b) for an a that is a number, without a call. */
 static inline double
 larger(double a, double b)
 {

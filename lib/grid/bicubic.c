@@ -1,4 +1,4 @@
-/* bicubic.c - grid fields between their nodes. */
+/* bicubic.c - weights of Hermite's cubic, with slopes from five nodes. */
 #include <math.h>
 #include <stddef.h>
 
@@ -16,7 +16,7 @@ static const double SLOPE[6][5][5] = {
 	        { 1/4., -4/3., 3, -4, 25/12. } }
 };
 
-/* Add weight times the slope at node i of nodes. */
+/* Adds weight times the slope at node i of nodes. */
 static void
 slope(BicubicSpan *s, int nodes, int i, double weight)
 {
@@ -28,9 +28,9 @@ slope(BicubicSpan *s, int nodes, int i, double weight)
 		s->w[from - s->first + k] += weight*SLOPE[n][i - from][k];
 }
 
-/* The weights at place x of nodes 0 .. nodes-1: Hermite's cubic. */
+/* The weights of nodes 0 .. nodes-1 at place x: Hermite's cubic. */
 static BicubicSpan
-span(int nodes, double x)
+hermite_weights(int nodes, double x)
 {
 	BicubicSpan s = { 0, nodes < 6 ? nodes : 6, { 0 } };
 	int i;
@@ -50,7 +50,7 @@ span(int nodes, double x)
 Bicubic
 bicubic_at(int nu, int nv, double x, double y)
 {
-	return (Bicubic){ nu, span(nu, x), span(nv, y) };
+	return (Bicubic){ nu, hermite_weights(nu, x), hermite_weights(nv, y) };
 }
 
 double

@@ -1,10 +1,10 @@
-/* bicubic.h - grid fields between their nodes.
+/* bicubic.h - interpolation of grid fields between their nodes.
  *
- * Piecewise bicubic and C1: along each direction a cubic between neighbouring nodes,
- * with their values and with slopes from differences over five nodes, central inside and
- * one-sided at the ends (fewer nodes where the grid has fewer than five).  So polynomials
- * of degree 3 in u and in v come out exactly, and a smooth field to the fourth order of
- * h and k, up to the border.
+ * Piecewise bicubic and C1: along each direction a cubic between neighbouring nodes, with
+ * their values and with slopes from differences over five nodes, central inside and one-sided
+ * at the ends (over all nodes if the grid has fewer than five).  Polynomials of degree 3 in u
+ * and in v are exact; for a smooth field the error is of fourth order in h and k, up to the
+ * border.
  */
 #ifndef BICUBIC_H
 #define BICUBIC_H
@@ -20,10 +20,10 @@ typedef struct Bicubic {
 	BicubicSpan u, v;
 } Bicubic;
 
-/* Place (x,y) counted in nodes, brought into 0 .. nu-1 and 0 .. nv-1; nu, nv >= 2. */
+/* The weights at (x,y), counted in nodes and clamped to 0 .. nu-1 and 0 .. nv-1; nu, nv >= 2. */
 Bicubic bicubic_at(int nu, int nv, double x, double y);
 
-/* f, [nv][nu], there. */
+/* The value of f, [nv][nu], at that place. */
 double bicubic_value(const Bicubic *b, const double *f);
 
 #endif

@@ -119,9 +119,9 @@ border_arc(const Border *b, double r)
 	return (1 - w)*b->s[k] + w*b->s[k+1];
 }
 
-/* How far along the edge from p to q its point nearest to x is, 0 .. 1. */
+/* The point of the edge from p to q nearest to x, as its share of the edge, 0 .. 1. */
 static double
-along(const double p[3], const double q[3], const double x[3], double length)
+nearest_share(const double p[3], const double q[3], const double x[3], double length)
 {
 	double e[3], d[3], w = 0;
 	int c;
@@ -147,7 +147,7 @@ border_nearest(const Border *b, const double x[3], double *d)
 	for (k = 0; k < b->n; k++) {
 		p = b->x + 3*k;
 		q = b->x + 3*((k + 1)%b->n);
-		w = along(p, q, x, b->s[k+1] - b->s[k]);
+		w = nearest_share(p, q, x, b->s[k+1] - b->s[k]);
 		r = hypot(hypot(p[0] + w*(q[0] - p[0]) - x[0], p[1] + w*(q[1] - p[1]) - x[1]),
 		    p[2] + w*(q[2] - p[2]) - x[2]);
 		if (r < *d) {

@@ -1,4 +1,4 @@
-/* coons.c - the border's values over the grid. */
+/* coons.c - Coons's interpolation of border values. */
 #include "border.h"
 #include "coons.h"
 

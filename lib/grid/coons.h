@@ -1,4 +1,4 @@
-/* coons.h - values on the border of a grid continued over it (S. A. Coons 1967). */
+/* coons.h - interpolation of border values into the grid (S. A. Coons 1967). */
 #ifndef COONS_H
 #define COONS_H
 

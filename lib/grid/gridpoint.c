@@ -1,11 +1,11 @@
-/* gridpoint.c - channels of a grid between its nodes. */
+/* gridpoint.c - channels of a grid at given (u,v). */
 #include <math.h>
 #include <string.h>
 
 #include "bicubic.h"
 #include "gridpoint.h"
 
-static const double SLACK = 1e-6;       /* by which (u,v) may lie outside, of a side */
+static const double SLACK = 1e-6;       /* (u,v) may be outside by this share of a side */
 
 void
 gridpoint(Chart g, int n, const double *const f[], double u, double v, double *x)

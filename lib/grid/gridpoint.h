@@ -15,8 +15,8 @@ enum {
  * x        out  [n] */
 void gridpoint(Chart g, int n, const double *const f[], double u, double v, double *x);
 
-/* The (u,v) of the vertices of a mesh in the rectangle of g, clamped to it.  v is scaled by g.T/T
- * unless T is 0, not known.  (-1,-1), no (u,v), stays.
+/* The (u,v) of the vertices of a mesh, clamped to the rectangle of g.  v is scaled by g.T/T unless
+ * T is 0 (not known).  (-1,-1), which means no (u,v), is kept.
  *
  * from     in   [nv][2], u in [0,1] and v in [0,T], to 1e-6 of it (mesh files that other
  *               programs wrote may hold floats)
@@ -25,7 +25,7 @@ void gridpoint(Chart g, int n, const double *const f[], double u, double v, doub
  * Returns 0 or GRIDPOINT_EOUT. */
 int gridpoint_uv(Chart g, double T, int nv, const double *from, double *to, int *at);
 
-/* n channels of a grid brought to the vertices of a mesh at their (u,v); a vertex without keeps its
+/* n channels of a grid at the (u,v) of the vertices of a mesh; a vertex without (u,v) keeps its
  * values.
  *
  * uv       in   [nv][2], of gridpoint_uv

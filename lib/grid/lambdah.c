@@ -3,7 +3,7 @@
 #include "stencil.h"
 #include "../base/vec3.h"
 
-/* |phi_u x phi_v| over lambda^2 at most at which the two are parallel, to rounding. */
+/* phi_u and phi_v count as parallel if |phi_u x phi_v| is at most this times lambda^2. */
 static const double PARALLEL = 1e-14;
 
 /* lambda and H at inner node (i,j); H is not a number if phi_u and phi_v are parallel. */
@@ -27,9 +27,9 @@ at_node(Chart g, const double *const phi[3], int curvature, int i, int j, double
 	*H = along/(2*lambda2);                                         /* (26), (9) */
 }
 
-/* Keeps lambda away from 0, where log lambda and 1/lambda are not defined, and H finite. */
+/* Raises lambda to its least value, as log lambda and 1/lambda are needed, and keeps H finite. */
 static LambdahFlaws
-mend(Chart g, double *lambda, double *H)
+repair(Chart g, double *lambda, double *H)
 {
 	Range columns = stencil_inner(g, 0), rows = stencil_inner(g, 1);
 	LambdahFlaws flaws = { 0, 0 };
@@ -77,7 +77,7 @@ extend(int n, int first, int stride, int in, double *lambda, double *H)
 	}
 }
 
-/* The outermost ring of nodes, side by side as far as they are open. */
+/* The outermost ring of nodes, one open side after the other. */
 static void
 extend_sides(Chart g, double *lambda, double *H)
 {
@@ -143,7 +143,7 @@ lambdah(Chart g, const double *const phi[3], int curvature, double *lambda, doub
 			p = j*g.nu + i;
 			at_node(g, phi, curvature, i, j, &lambda[p], &H[p]);
 		}
-	flaws = mend(g, lambda, H);
+	flaws = repair(g, lambda, H);
 	extend_sides(g, lambda, H);
 	return flaws;
 }

@@ -7,11 +7,11 @@
 /* How H is computed from the Laplacian of phi. */
 enum {
 	LAMBDAH_NORMAL,         /* its part along n: H = <Delta phi, n>/(2 lambda^2) */
-	LAMBDAH_MAGNITUDE       /* its length, as the paper's (26): the same for an exactly
-	                         * conformal grid, else it counts the tangential error too */
+	LAMBDAH_MAGNITUDE       /* its length, the paper's (26): the same for an exactly conformal
+	                         * grid; on others it includes the tangential error */
 };
 
-/* Inner nodes where lambda or H is not what the equations give. */
+/* Numbers of inner nodes where lambda or H does not have the value of the equations. */
 typedef struct LambdahFlaws {
 	int raised;             /* lambda was below its least value, or H not finite; H is 0 */
 	int parallel;           /* phi_u and phi_v are parallel, to rounding; H is 0 */
@@ -22,11 +22,11 @@ typedef struct LambdahFlaws {
  *   lambda^2 = (|phi_u|^2 + |phi_v|^2)/2                                     (25)
  *   H        = <phi_uu + phi_vv, n>/(2 lambda^2)                             (26)-(29)
  *
- * Inside, central differences of second order with steps h and k.  On the outermost ring
- * nothing is differenced, as a corner of the rectangle is a square-root singularity of
- * the map: H is extrapolated linearly and lambda geometrically from the two rings within,
- * with the ratio for lambda limited to [1/2, 2] and the increment of H limited to |H| of the
- * inner ring.  doc/mathematics.md 4.3, 4.4.
+ * Inside: central differences of second order with steps h and k.  On the outermost ring there
+ * are no differences, as a corner of the rectangle is a square-root singularity of the map.  H
+ * is extrapolated linearly and lambda geometrically from the two rings inside it; the ratio for
+ * lambda is limited to [1/2, 2] and the increment of H to |H| of the inner ring.
+ * doc/mathematics.md 4.3, 4.4.
  *
  * lambda is at least 1e-4 of its root mean square.  phi, lambda and H are [nv][nu].
  *
@@ -38,8 +38,8 @@ LambdahFlaws lambdah(Chart g, const double *const phi[3], int curvature, double 
  * root mean square elsewhere. */
 void lambdah_limit_corners(Chart g, double *H);
 
-/* The residual channels: what (lambda, H) leave open on a grid that is not quite conformal.  At
- * inner nodes, else 0 (doc/mathematics.md 6.7),
+/* The residual channels: the part of the fundamental forms that (lambda, H) do not determine on
+ * a grid that is not quite conformal; at inner nodes, 0 at others (doc/mathematics.md 6.7).
  *
  *   nu[0] = (|phi_u|^2 - |phi_v|^2)/(2 lambda^2)     tau[0] = <Delta phi, phi_u>/lambda^2
  *   nu[1] = <phi_u, phi_v>/lambda^2                  tau[1] = <Delta phi, phi_v>/lambda^2 */

@@ -4,7 +4,7 @@
 
 #include "resample.h"
 
-/* e_i = sum over k < count of weight[i*most + k] f[first[i] + k]: along one axis. */
+/* Along one axis: e_i = sum over k < count[i] of weight[i*most + k] f[first[i] + k]. */
 typedef struct Axis {
 	int     n, most;
 	int    *first, *count;
@@ -19,7 +19,7 @@ axis_free(Axis *a)
 	free(a->weight);
 }
 
-/* To be freed even if it fails. */
+/* Free a even if this fails. */
 static int
 axis_init(Axis *a, int n, int most)
 {
@@ -74,7 +74,7 @@ mean_axis(Axis *a, int from, int to)
 	return 0;
 }
 
-/* `count` lines of `from` samples; e has a->n in each. */
+/* One line of samples f, fstep apart, to a->n numbers e, estep apart. */
 static void
 apply(const Axis *a, const double *f, long fstep, double *e, long estep)
 {
@@ -89,7 +89,7 @@ apply(const Axis *a, const double *f, long fstep, double *e, long estep)
 }
 
 static int
-both(Axis *u, Axis *v, int e, int fnu, int fnv, const double *f, double *out)
+apply_both(Axis *u, Axis *v, int e, int fnu, int fnv, const double *f, double *out)
 {
 	double *half = e ? NULL : malloc((size_t)u->n*fnv*sizeof *half);
 	int i, j;
@@ -110,7 +110,7 @@ resample_cubic(Chart from, const double end[2], const double *f, Chart to, doubl
 	Axis u = { 0 }, v = { 0 };
 	int r = cubic_axis(&u, from.nu, end[0], to.nu) || cubic_axis(&v, from.nv, end[1], to.nv);
 
-	r = both(&u, &v, r, from.nu, from.nv, f, e);
+	r = apply_both(&u, &v, r, from.nu, from.nv, f, e);
 	axis_free(&u);
 	axis_free(&v);
 	return r;
@@ -122,7 +122,7 @@ resample_mean(Chart from, const double *f, Chart to, double *e)
 	Axis u = { 0 }, v = { 0 };
 	int r = mean_axis(&u, from.nu, to.nu) || mean_axis(&v, from.nv, to.nv);
 
-	r = both(&u, &v, r, from.nu, from.nv, f, e);
+	r = apply_both(&u, &v, r, from.nu, from.nv, f, e);
 	axis_free(&u);
 	axis_free(&v);
 	return r;

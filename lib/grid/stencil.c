@@ -41,8 +41,8 @@ stencil_at(Chart g, int axis, int order, int i, int j)
 	static const struct { int at[3]; double w[3]; } rule[] = {
 		{ { 1, 0, -1 }, { 1, 0, -1 } },         /* central */
 		{ { 1, 0, -1 }, { 1, -2, 1 } },
-		{ { 0, 1, 2 }, { -3, 4, -1 } },         /* from an open side upwards, */
-		{ { 0, -1, -2 }, { 3, -4, 1 } },        /* and downwards */
+		{ { 0, 1, 2 }, { -3, 4, -1 } },         /* at the first node of an open side */
+		{ { 0, -1, -2 }, { 3, -4, 1 } },        /* at the last */
 	};
 	Range r = stencil_inner(g, axis);
 	int at = axis ? j : i, way = at < r.from ? 2 : at >= r.to ? 3 : order - 1, k, sign = 1;

@@ -1,13 +1,11 @@
 /* stencil.h - finite differences on the nodes of a chart.
  *
- * Central differences and the five-point Laplacian at a node that has a neighbour on each
- * side: an inner node, on none of the open sides of its chart (chart.h).  Beyond a joined
- * side the neighbours are those that the chart gives.  On an open side first differences are
- * one-sided, of second order as the central ones are.
+ * Central differences and the five-point Laplacian at inner nodes: those on none of the open
+ * sides of the chart (chart.h).  Beyond a joined side the chart defines the neighbours.  On an
+ * open side first differences are one-sided, and also of second order.
  *
- * They are here twice: for one node, by any chart's rule, and for four nodes of a row at a
- * time.  The former divide by steps, the latter multiply by inverse steps, so that their last
- * bits differ.
+ * There are two versions: for one node, and for four nodes of a row at a time.  The first
+ * divides by steps, the second multiplies by inverse steps, so their last bits differ.
  */
 #ifndef STENCIL_H
 #define STENCIL_H
@@ -28,7 +26,7 @@ Range  stencil_inner(Chart g, int axis);
 size_t stencil_inner_count(Chart g);
 int    stencil_is_inner(Chart g, int i, int j);
 
-/* The places whose complete stencils reach a node of the grid: the inner nodes and those one
+/* The places with complete stencils that touch the grid: the inner nodes, and the places one
  * step beyond joined sides. */
 Range stencil_reach(Chart g, int axis);
 
@@ -134,7 +132,7 @@ typedef struct Quad {
 	double per_h, per_k;    /* inverse steps */
 	int    i, j, to, count;
 	size_t p;               /* number of the first */
-	int    inside;          /* there are NODES, and they and their neighbours are nodes of the grid */
+	int    inside;          /* count is NODES, and all neighbours are nodes of the grid */
 } Quad;
 
 /* Lanes of f at the nodes moved by (di,dj), by the chart's rule. */
@@ -180,7 +178,7 @@ quad_neighbours(const Quad *q, const double *f, int di, int dj, Nodes *x)
 	memcpy(x, f, sizeof *x);
 }
 
-/* f itself; an odd field changes its sign where the chart says so. */
+/* f itself; odd fields with the sign of the chart. */
 INLINE void
 quad_load(const Quad *q, const double *f, Nodes *x)
 {

@@ -1,4 +1,4 @@
-/* curvematch.c - where a closed curve begins, by cross-correlation. */
+/* curvematch.c - corresponding starting points of closed curves, by cross-correlation. */
 #include <fftw3.h>
 #include <math.h>
 #include <stdlib.h>
@@ -7,9 +7,9 @@
 #include "curvematch.h"
 #include "../base/procrustes.h"
 
-static const double ROUNDING = 1e-13;           /* of squares that are differences of squares */
+static const double ROUNDING = 1e-13;           /* relative, of a difference of squares */
 
-/* Room of one problem, and its plans. */
+/* The workspace of one problem, and its plans. */
 typedef struct Correlation {
 	int           n;
 	double       *real;             /* [n] */
@@ -124,7 +124,7 @@ curvematch(int n, const double *a, const double *b, double *rms, double *angle)
 	return e;
 }
 
-/* No neighbour is nearer. */
+/* Whether shift s is a local minimum of rms. */
 static int
 is_least(int n, const double *rms, int s)
 {

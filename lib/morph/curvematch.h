@@ -1,4 +1,4 @@
-/* curvematch.h - where one closed curve begins when another does. */
+/* curvematch.h - the starting point on a closed curve that corresponds to that of another. */
 #ifndef CURVEMATCH_H
 #define CURVEMATCH_H
 
@@ -8,14 +8,14 @@ enum {
 };
 
 /* For every shift s the distance of the curve a from the curve b that begins s points later,
- * moved rigidly as near as can be:
+ * after the best rigid motion of b:
  *
  *   rms[s]^2 = min over R, t of the mean of |a_i - (R b_(i+s mod n) + t)|^2
  *            = (|a|^2 + |b|^2 - 2 max over R of tr(R' C(s)))/n,   C(s) = sum a_i b'_(i+s)
  *
- * of centred curves: nine cross-correlations by Fourier transforms and n small
- * singular value problems (procrustes.h).  rms is 0 below 3e-7 of the size of the
- * curves, which is what rounding leaves.
+ * for centred curves: nine cross-correlations by Fourier transforms and n small singular value
+ * problems (procrustes.h).  Below 3e-7 of the size of the curves, the rounding error, rms is
+ * set to 0.
  *
  * a, b   in   [n][3]
  * rms    out  [n]
@@ -24,13 +24,13 @@ enum {
  * Returns 0, CURVEMATCH_ENOMEM or CURVEMATCH_EVALUE. */
 int curvematch(int n, const double *a, const double *b, double *rms, double *angle);
 
-/* The shift of the least rms; where several local minima are within a factor of clear >= 1 of
- * it, the one of them that turns b least: outlines of faces, to take an example, fit upside down
- * nearly as well, and most files have faces upright. */
+/* The shift of the least rms.  If several local minima are within a factor clear >= 1 of it: the
+ * one of least rotation of b.  For example, outlines of faces fit upside down nearly as well,
+ * and in most files faces are upright. */
 int curvematch_choose(int n, const double *rms, const double *angle, double clear);
 
-/* The least of the local minima that are an eighth of the curve or more away from shift,
- * HUGE_VAL where there is none. */
+/* The least local minimum of rms at least an eighth of the curve away from shift, or HUGE_VAL if
+ * there is none. */
 double curvematch_next(int n, const double *rms, int shift);
 
 #endif

@@ -1,4 +1,4 @@
-/* matching.c - two borders that correspond. */
+/* matching.c - correspondence of two borders by landmarks and arc length. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,8 +6,8 @@
 #include "matching.h"
 #include "../base/vec3.h"
 
-/* One border as a list of its nodes and landmarks: key i + f at the share f of the way from
- * landmark i to the next. */
+/* One border as a list of its nodes and landmarks; the key is i + f at the share f of the arc
+ * length from landmark i to the next. */
 typedef struct Keyed {
 	int     n;
 	double *key, *r, *x;
@@ -45,7 +45,7 @@ append(Keyed *l, double key, double r, const double x[3])
 	l->n++;
 }
 
-/* Landmark i, and the nodes between it and the next; *k is the first node behind it. */
+/* Appends landmark i and the nodes between it and the next; *k is the first node after it. */
 static int
 append_part(Keyed *l, const Border *b, int n, const double *p, int i, int *k)
 {
@@ -96,9 +96,9 @@ keyed_init(Keyed *l, const Border *b, int n, const double *p, int *at)
 	return e;
 }
 
-/* Entry n of curve k of m: that of l, or a point between its entries i-1 and i. */
+/* Sets entry n of curve k of m to entry i of l, or to the point of that key before it. */
 static void
-put(Matching *m, int k, const Keyed *l, int i, double key)
+put_key(Matching *m, int k, const Keyed *l, int i, double key)
 {
 	double w = l->key[i] > key ? (key - l->key[i-1])/(l->key[i] - l->key[i-1]) : 1;
 	const double *p, *q = l->x + 3*i;
@@ -114,7 +114,7 @@ put(Matching *m, int k, const Keyed *l, int i, double key)
 		m->x[k][3*m->n + c] = (1 - w)*p[c] + w*q[c];
 }
 
-/* Both lists by their keys; both end in the same one. */
+/* Merges both lists by their keys; the last keys are equal. */
 static void
 merge(Matching *m, const Keyed *a, const Keyed *b)
 {
@@ -123,8 +123,8 @@ merge(Matching *m, const Keyed *a, const Keyed *b)
 
 	while (i < a->n && j < b->n) {
 		key = fmin(a->key[i], b->key[j]);
-		put(m, 0, a, i, key);
-		put(m, 1, b, j, key);
+		put_key(m, 0, a, i, key);
+		put_key(m, 1, b, j, key);
 		m->n++;
 		if (a->key[i] == b->key[j]) {
 			i++;
@@ -152,9 +152,9 @@ room(Matching *m, size_t n)
 	return MATCHING_ENOMEM;
 }
 
-/* Places of b a whole turn up or down, so that pairs move the shorter way. */
+/* Adds full turns to the places of b, so that pairs move the shorter way. */
 static void
-lift(Matching *m)
+add_turns(Matching *m)
 {
 	double sum = 0, turn;
 	int i;
@@ -181,7 +181,7 @@ matching_init(Matching *m, const Border *a, const Border *b, int n, const double
 	}
 	if (!(e = room(m, (size_t)la.n + lb.n))) {
 		merge(m, &la, &lb);
-		lift(m);
+		add_turns(m);
 	}
 	keyed_free(&la);
 	keyed_free(&lb);

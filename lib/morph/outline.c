@@ -6,7 +6,7 @@
 
 #include "outline.h"
 
-static const double WAVES = 8;          /* round the curve: of the waves that stay */
+static const double WAVES = 8;          /* periods round the curve at which a wave falls to 1/e */
 
 /* Arc length of the closed polygon x from its start to point i, 0 .. n. */
 static int
@@ -24,7 +24,7 @@ arc_lengths(int n, const double *x, double *s)
 	return s[n] > 0 && s[n] < HUGE_VAL ? 0 : OUTLINE_EVALUE;
 }
 
-/* n points at equal arc length of the polygon x[m], whose arc lengths are s. */
+/* n points at equal arc length of the polygon x[m]; s: its arc lengths. */
 static void
 equal_points(int m, const double *x, const double *s, int n, double *y)
 {
@@ -41,7 +41,7 @@ equal_points(int m, const double *x, const double *s, int n, double *y)
 	}
 }
 
-/* Coordinates smoothed one by one.  unit keeps their size within the range of numbers. */
+/* Smooths each coordinate.  Division by unit avoids overflow. */
 static int
 smooth(int n, double *x, double unit)
 {
@@ -74,7 +74,7 @@ smooth(int n, double *x, double unit)
 	return c;
 }
 
-/* Mean 0, root mean square 1. */
+/* Moves and scales x to mean 0 and root mean square 1. */
 static int
 standardise(int n, double *x)
 {

@@ -1,9 +1,9 @@
-/* outline.h - a closed curve without its raggedness, as a shape.
+/* outline.h - the smoothed shape of a ragged closed curve.
  *
- * The boundary of a scan runs in and out, and what it gains in length so would count as
- * way round it.  So the curve is smoothed first: points at equal arc length, their Fourier
- * coefficients times exp(-(k/8)^2), and points at equal arc length of what results, centred and
- * of root mean square 1.
+ * The boundary of a scan runs in and out; its extra length would distort arc length along the
+ * outline.  So the curve is smoothed first: points at equal arc length, their Fourier
+ * coefficients times exp(-(k/8)^2), and points at equal arc length of the smooth curve, centred
+ * and of root mean square 1.
  */
 #ifndef OUTLINE_H
 #define OUTLINE_H
@@ -16,12 +16,12 @@ enum {
 typedef struct Outline {
 	int     n;
 	double *x;              /* [n][3] */
-	double *place;          /* [n+1] where the point at k/n of the curve's length has come to lie,
-	                         * over the length of the outline: 0 .. 1 */
+	double *place;          /* [n+1] arc length on the outline, over its total, of the point at
+	                         * k/n of the curve's length: 0 .. 1 */
 } Outline;
 
-/* The outline, of n points, of the closed polygon x[m][3]; it begins where x does.
- * Returns 0, OUTLINE_ENOMEM or OUTLINE_EVALUE; o then holds nothing to free. */
+/* The outline, of n points, of the closed polygon x[m][3], with the same starting point.
+ * Returns 0, or OUTLINE_ENOMEM or OUTLINE_EVALUE with nothing to free. */
 int  outline_init(Outline *o, int n, int m, const double *x);
 void outline_free(Outline *o);
 

@@ -1,4 +1,4 @@
-/* cellsq.c - normal equations of cellsq.h. */
+/* cellsq.c - assembly and solution of the normal equations. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -115,7 +115,7 @@ normal_matrix(const CellSystem *s, int n, Spd *a)
 	return e;
 }
 
-/* Between x [node][field][rhs] at free nodes and B [rhs][free number][field]. */
+/* Copies x [node][field][rhs] at free nodes to B [rhs][free number][field]. */
 static void
 gather(const CellSystem *s, const double *x, int n, double *B)
 {

@@ -1,15 +1,14 @@
 /* cellsq.h - linear least squares over the cells of a grid.
  *
- * Unknowns are `fields` numbers at every node; each cell gives `rows` equations in the
- * 4*fields unknowns at its corners; several right-hand sides share the matrix.  Values
- * on the outer `held` rings of nodes are data.  Averages and differences of the four
- * corners are the natural stencils: wide central differences at nodes leave odd-even
- * modes free (doc/mathematics.md 7.2).
+ * Unknowns are `fields` numbers at every node.  Each cell gives `rows` equations in the
+ * 4*fields unknowns at its corners.  Several right-hand sides share the matrix.  Values on the
+ * outer `held` rings of nodes are data.  Equations use averages and differences of the four
+ * corners: central differences at nodes leave odd-even modes free (doc/mathematics.md 7.2).
  *
  * minimised   sum over cells |A_cell x_corners - b_cell|^2
  * over        x at the nodes at least `held` steps from the edge
  * held fixed  x elsewhere
- * by          its normal equations, CHOLMOD, nested dissection of the rectangle
+ * by          the normal equations, CHOLMOD, nested dissection of the rectangle
  */
 #ifndef CELLSQ_H
 #define CELLSQ_H
@@ -40,7 +39,7 @@ void cellsq_apply(const CellSystem *s, const double *x, double *y);
 /* x = A' y, the adjoint. */
 void cellsq_adjoint(const CellSystem *s, const double *y, double *x);
 
-/* x in: values on the held rings; out: all.  Returns 0, SPD_ENOMEM, SPD_EINDEFINITE or
+/* x in: values on the held rings; out: all values.  Returns 0, SPD_ENOMEM, SPD_EINDEFINITE or
  * SPD_ELARGE; x is then unspecified.  report may be NULL. */
 int cellsq_solve(const CellSystem *s, double *x, SpdReport *report);
 

@@ -143,7 +143,7 @@ position(const void *ctx, int i, int j, CellRows *r)
 	}
 }
 
-/* Frame and second form of phi at inner node (i,j). */
+/* Frame and second form of phi at inner node (i,j).                                  (12) */
 static int
 node_of_band(Chart g, const double *const phi[3], int i, int j, double pqn[9], double DM[2])
 {

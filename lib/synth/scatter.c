@@ -97,8 +97,8 @@ cells_free(const Cells *c, const Points *p, double x, double y, double r)
 	return 1;
 }
 
-/* The length of a step from (x,y) along (cx,cy) that is at least the least distance at its end,
- * if that distance grows slowly. */
+/* The length of a step from (x,y) along (cx,cy): at least the least distance at its end, if
+ * that distance grows slowly. */
 static double
 stride(const ScatterRule *rule, double x, double y, double cx, double cy)
 {

@@ -50,9 +50,9 @@ synth_set(Synth *s, const char *par, double value)
 	return SYNTH_EPAR;
 }
 
-/* By its symmetry the oval with its four corners has T = 1 only if it is a circle.  The
- * L is mapped onto itself by reflection in its diagonal, which holds corners 0 and 2
- * and exchanges 1 and 3: sides 01 and 03 change places, so T = 1/T = 1. */
+/* T = 1 is known by symmetry for the circle, not for other ovals.  The reflection of the L in
+ * its diagonal fixes corners 0 and 2 and exchanges 1 and 3, and with them sides 01 and 03, so
+ * T = 1/T = 1. */
 int
 synth_domain(const Synth *s, SynthDomain *d)
 {

@@ -21,7 +21,7 @@ enum {
 	SYNTH_EPAR    = -2,     /* the kind has no parameter of that name */
 	SYNTH_ERANGE  = -3,     /* a parameter is outside its range */
 	SYNTH_EDOMAIN = -4,     /* the parameters, each in range, do not fit together */
-	SYNTH_EMESH   = -5      /* so few vertices do not make a disk */
+	SYNTH_EMESH   = -5      /* too few vertices for a disk */
 };
 
 enum { SYNTH_MAXPAR = 6 };
@@ -38,9 +38,9 @@ enum {
 typedef struct SynthDomain {
 	int    shape;
 	double x0, x1, y0, y1;
-	double T;       /* height/width of the rectangle onto which D, with its corners in
-	                 * order to (0,0) (1,0) (1,T) (0,T), has a conformal map; for a
-	                 * conformal phi this is the modulus of the surface.  0: not known */
+	double T;       /* height of the rectangle of width 1 onto which D maps conformally,
+	                 * its corners in order to (0,0) (1,0) (1,T) (0,T); for a conformal
+	                 * phi this is the modulus of the surface.  0: not known */
 } SynthDomain;
 
 typedef struct SynthPar {

@@ -10,13 +10,13 @@
 #include "synth.h"
 
 enum {
-	PIECES = 2048,  /* of a side, to measure it */
-	CELLS = 96      /* of the box in each direction, to measure the area */
+	PIECES = 2048,  /* pieces of a side, to measure its length */
+	CELLS = 96      /* cells of the box in each direction, to measure the area */
 };
 
-/* Boundary spacing over least distance inside, where the mean edge is 1.23 long. */
+/* Boundary spacing over least distance inside; the mean edge inside is 1.23 least distances. */
 static const double SPACING = 1.18;
-/* Points inside for each least distance squared of area: 0.81 on a plain square. */
+/* Points inside per area of one least distance squared: 0.81 was measured on a plain square. */
 static const double PACKING = 0.80;
 
 /* The data of the rule of scatter: the mesh of a surface is even if the points of the plane are
@@ -83,7 +83,7 @@ side_at(const SynthDomain *d, int k, double t, double *x, double *y)
 	*y = (1 - v)*d->y0 + v*d->y1;
 }
 
-/* Length of side k times scale, up to each of its pieces. */
+/* Length of side k times scale, from its start to the end of each piece. */
 static double
 side_lengths(const Plan *plan, int k, double len[PIECES + 1])
 {
@@ -185,8 +185,8 @@ points(Plan *plan, double top, uint64_t seed, Points *p)
 	return scatter(&rule, seed, p) ? SYNTH_ENOMEM : 0;
 }
 
-/* About n points.  Packing and rounding differ from mesh to mesh; where the first guess gives
- * another number, the distance is corrected and all is repeated. */
+/* About n points.  Packing and rounding differ from mesh to mesh: as long as the number is off,
+ * the distance is corrected and the points are made again. */
 static int
 fit_points(Plan *plan, int n, uint64_t seed, Points *p)
 {
@@ -207,7 +207,7 @@ fit_points(Plan *plan, int n, uint64_t seed, Points *p)
 	return err ? err : points(plan, top, seed, p);
 }
 
-/* Drop the triangles that bridge the notch of the L. */
+/* Drops the triangles across the notch of the L. */
 static int
 drop_outside(const SynthDomain *d, const double *xy, int *tri, int nf)
 {
@@ -223,10 +223,10 @@ drop_outside(const SynthDomain *d, const double *xy, int *tri, int nf)
 	return kept;
 }
 
-/* A triangulated disk whose boundary is all boundary points and no other has, by
- * Euler's formula, 2 nv - 2 - nb faces. */
+/* Maps the points onto the surface.  A disk with exactly the nb boundary points on its boundary
+ * has 2 nv - 2 - nb faces (Euler). */
 static int
-lift(const Plan *plan, const Points *p, Mesh *m)
+map_points(const Plan *plan, const Points *p, Mesh *m)
 {
 	const Synth *s = plan->s;
 	int err, i;
@@ -258,7 +258,7 @@ synth_mesh(const Synth *s, int n, uint64_t seed, Mesh *m, double **xy)
 	if ((err = synth_domain(s, &plan.d)))
 		return err;
 	if (!(err = fit_points(&plan, n, seed, &p)))
-		err = lift(&plan, &p, m);
+		err = map_points(&plan, &p, m);
 	if (err)
 		mesh_free(m);
 	if (err || !xy)

@@ -6,7 +6,7 @@
 
 static const double TURN = 6.283185307179586;
 
-/* A bump h high at (cx,cy), sx and sy wide; mirrored in x = 0 as well where pair is set. */
+/* A bump h high at (cx,cy), sx and sy wide; with pair, a second one mirrored in x = 0. */
 typedef struct Bump {
 	double cx, cy, sx, sy, h;
 	int    pair;

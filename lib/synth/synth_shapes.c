@@ -62,7 +62,7 @@ lshape_domain(const double *p, SynthDomain *d)
 	d->shape = SYNTH_LSHAPE;
 }
 
-/* z -> r0 exp(z) takes the rectangle to the sector. */
+/* z -> r0 exp(z) maps the rectangle to the sector. */
 static void
 sector_domain(const double *p, SynthDomain *d)
 {
@@ -189,7 +189,7 @@ torus_v(const double *p, double y)
 static void
 torus_domain(const double *p, SynthDomain *d)
 {
-	if (p[1] < p[0])        /* else the box stays empty: the tube would meet itself */
+	if (p[1] < p[0])        /* otherwise the tube meets itself: an empty box */
 		box(d, 0, DEG*p[2], torus_y(p, DEG*p[3]), torus_y(p, DEG*p[4]));
 }
 

@@ -28,8 +28,8 @@ spiral_t(double a, double s)
 	return t;
 }
 
-/* The rectangle turned by the rise is laid into the (s,z) plane of the cylinder, its
- * upper left corner at the start r = r0 of the spiral, its lower right one at the end. */
+/* The rectangle, turned by the rise, lies in the (s,z) plane of the cylinder: its upper left
+ * corner at the start r = r0 of the spiral, its lower right one at the end. */
 static void
 spiral_place(const double *p, double x, double y, double *s, double *z)
 {
