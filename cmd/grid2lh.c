@@ -9,25 +9,25 @@
 #include "shared/cmd.h"
 #include "shared/range.h"
 
-enum { BAND = 3 };      /* rings: what the frame method of lh2grid needs */
+enum { BAND = 3 };      /* rings that the frame method of lh2grid needs */
 
 static const char text[] =
 "usage: grid2lh [--residual] [--lattice=N | --no-lattice] [GRID] >lh.lhg\n"
 "reads channels x y z; writes lambda H, the boundary band band.x band.y band.z (the three\n"
 "outer rings of x y z) and the lattice start.x start.y start.z (every N/32-th node of x y\n"
-"z, which only tells lh2grid where to start); other channels and metadata pass through\n"
+"z, where the steps of lh2grid start); other channels and metadata pass through\n"
 "  -m, --mean-curvature=normal|magnitude  H from the part of the Laplacian along the\n"
 "                     normal, or from its length (the paper's (26)) [normal]\n"
 "  -l, --lattice=N    about N nodes of start along the shorter side, 2..4096 [33]\n"
 "      --no-lattice   write no start\n"
-"  -r, --residual     write also what lambda and H do not say of a grid that is not quite\n"
-"                     conformal, nu1 = (|x_u|^2-|x_v|^2)/(2 lambda^2), nu2 = x_u.x_v/lambda^2,\n"
-"                     tau1 = x_u.Delta x/lambda^2, tau2 = x_v.Delta x/lambda^2: from these\n"
+"  -r, --residual     also write the residual channels of a grid that is not quite conformal,\n"
+"                     nu1 = (|x_u|^2-|x_v|^2)/(2 lambda^2), nu2 = x_u.x_v/lambda^2,\n"
+"                     tau1 = x_u.Delta x/lambda^2, tau2 = x_v.Delta x/lambda^2: with them\n"
 "                     lh2grid gives back the surface itself\n"
 CMD_USAGE
 "H is -1 on the unit sphere whose normal, x_u cross x_v, points out.  On the outermost\n"
-"ring lambda and H go on from the rings within; near the corners |H| is at most four times\n"
-"its root mean square (not with --residual).  Under -v: median, mean and maximum of\n"
+"ring lambda and H are extrapolated from the rings inside.  Near the corners |H| is limited\n"
+"to four times its root mean square (not with --residual).  Under -v: median, mean and maximum of\n"
 "the residual Beltrami coefficient over the inner nodes, 0 where the grid is conformal.\n";
 
 static const struct option longopt[] = {

@@ -15,45 +15,47 @@
 static const char text[] =
 "usage: lh2grid [OPTIONS] [LH] >grid.lhg\n"
 "reads channels lambda H, the boundary band.x band.y band.z and a start, start.x start.y\n"
-"start.z; writes x y z and drops what it read; other channels and metadata pass through\n"
+"start.z; writes x y z and removes the channels it read; others and metadata pass through\n"
 "  -m, --method=surface|frame  least squares over the positions, or the paper's frame\n"
 "                     method [surface]\n"
 "  -t, --tolerance=X  surface: stop when a step moves the nodes by less than X, root mean\n"
 "                     square over the square root of the area [5e-5]\n"
 "  -s, --steps=N      surface: give up after N steps on the grid, 1..10000 [200]\n"
-"  -b, --boundary=held|free  surface: keep the curve of the band, or find it too [held]\n"
-"  -f, --follow       surface: start every frame of a stream but the first from the surface\n"
-"                     before it, not from its own start\n"
+"  -b, --boundary=held|free  surface: the boundary is the curve of the band, or is solved for\n"
+"                     too [held]\n"
+"  -f, --follow       surface: each frame of a stream after the first starts from the surface\n"
+"                     of the frame before, not from its own start\n"
 "  -k, --keyframes=N  surface: solve the first frame of a stream, every N-th after it and the\n"
-"                     last by themselves, 2..1000, and let those between begin, on the finest\n"
-"                     grid, with what it took the two around them to get there from the\n"
-"                     coarser one\n"
+"                     last independently, 2..1000.  On the finest grid the frames between two\n"
+"                     such key frames start with the interpolated detail of both: the surface\n"
+"                     minus that of the next coarser grid\n"
 "      --no-start     do not use start.x start.y start.z\n"
 "      --ideal        do not use nu1 nu2 tau1 tau2 (grid2lh --residual)\n"
 CMD_USAGE
 "The surface method minimises, with the boundary curve held,\n"
 "  |Delta phi - 2 lambda^2 H n|^2 + w^2 (the metric minus lambda^2)^2\n"
-"by Gauss-Newton steps, on a grid of 4225 nodes or some more first, then twice as fine until\n"
-"the whole grid.  The start only chooses among the surfaces that have this lambda, H and\n"
-"boundary; where there is none, the frame method gives it on the coarsest grid (from three\n"
-"rings of band).\n"
-"With --boundary=free the border nodes are sought too, by the metric alone, and the surface\n"
-"is moved as a rigid body until its border comes nearest to the band's; without a band, until\n"
-"it comes nearest to the start.  lambda and H determine a surface up to motions, but for those\n"
-"that bend and keep both (constant H, developables): near these the result is soft, and held\n"
-"is the better.  It costs four to ten times as much, a morph more, and errs two to twenty\n"
-"times as much.  A morph whose boundary turns or folds in between wants --boundary=free\n"
-"--follow; with the boundary held --follow gives the same surfaces at the same cost.\n"
-"--keyframes=6 takes half the time where one surface becomes a similar one (a face another\n"
-"face: energies within 3 % of those of frames alone, 0.01 % of the square root of the area\n"
-"apart in the mean), a tenth less where it becomes quite another (a tooth another tooth: 0.1 to\n"
-"0.4 % apart, as of several surfaces that fit such data another may be found, with an energy\n"
-"up to a fifth higher or lower, twice for a face and a Buddha).\n"
-"What does not converge is refused.  Memory: about 31 numbers a node in all, 25 MB at\n"
+"by Gauss-Newton steps, first on a grid of 4225 nodes or some more, then on grids twice as\n"
+"fine, up to the full grid.  The start only selects among the surfaces that have this\n"
+"lambda, H and boundary.  Without a start, the frame method computes one on the coarsest grid\n"
+"(from three rings of band).\n"
+"With --boundary=free the border nodes are unknowns too, determined by the metric alone.  The\n"
+"surface is then moved rigidly until its border is nearest to the band's; without a band, until\n"
+"it is nearest to the start.  lambda and H determine a surface up to motions, except for those\n"
+"that can bend and keep both (constant H, developables): near these the result is poorly\n"
+"determined, and held is better.  free costs four to ten times as much, for a morph more, and\n"
+"its error is two to twenty times as large.  A morph whose boundary turns or folds in between\n"
+"needs --boundary=free --follow.  With the boundary held, --follow gives the same surfaces at\n"
+"the same cost.\n"
+"--keyframes=6 halves the time of a morph between similar surfaces (two faces: energies within\n"
+"3 % of those without it, surfaces 0.01 % of the square root of the area apart in the mean).\n"
+"It saves a tenth if they are very different (two teeth: 0.1 to 0.4 % apart).  Several surfaces\n"
+"fit such data, and another of them may be found, with an energy up to a fifth higher or\n"
+"lower, for a face and a Buddha up to twice.\n"
+"Without convergence nothing is written.  Memory: about 31 numbers a node in all, 25 MB at\n"
 "257 x 257, 246 MB at 1025 x 1025; 3 more with --follow, 9 + 2 N with --keyframes.\n"
 "The frame method: least squares of the Codazzi equations, of the natural frame equations\n"
-"(13) and of x_u and x_v, on cell centres, three rings of band given.  257 x 257 nodes take\n"
-"0.32 GB, 513 x 513 1.4 GB.\n"
+"(13) and of x_u and x_v, on cell centres, with three rings of band given.  257 x 257 nodes\n"
+"need 0.32 GB, 513 x 513 1.4 GB.\n"
 "Under -v: steps, energy, and the cost in vector Poisson solves (six sine transforms).\n";
 
 static const struct option longopt[] = {
@@ -68,10 +70,10 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
-/* Numbers a node that each method needs, and --follow beside them. */
+/* Numbers for each node that a method needs, and that --follow adds. */
 enum { SURFACE_NUMBERS = 31, FRAME_NUMBERS = 680, FOLLOW_NUMBERS = 3 };
 
-/* Returns the surface that g now has, [3][nv][nu]. */
+/* Replaces the channels of g by its surface; returns that surface, [3][nv][nu], to be freed. */
 static double *
 convert(const CmdInput *in, Lhg *g, int method, int follows, const SurfaceFit *o)
 {

@@ -1,4 +1,4 @@
-/* lhinfo - what a stream of grids holds */
+/* lhinfo - the contents of a stream of grids */
 #include <stdlib.h>
 
 #include "shared/cmd.h"

@@ -1,4 +1,4 @@
-/* lhinterp - between two pairs (lambda, H) */
+/* lhinterp - interpolation between two pairs (lambda, H) */
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,27 +12,27 @@ static const char text[] =
 "channels, equations (20)-(22); A's numbers at t = 0, B's at t = 1\n"
 "  -t, --at=T[,T..]   a grid at each T, 0..1, in the order given\n"
 "  -n, --frames=N     N grids, t = 0, 1/(N-1), .., 1, as one stream; 2..1000000\n"
-"  -e, --ease         slowly off and slowly in: t^2 (3 - 2t) in place of every t\n"
-"  -l, --landmarks=FILE  boundaries correspond by landmarks (below), not by equal place on\n"
-"                     the rectangle\n"
-"  -a, --align        move B rigidly onto A first, so that the points of the boundaries that\n"
-"                     correspond are nearest (least squares over arc length; no reflection):\n"
+"  -e, --ease         slow at both ends: t^2 (3 - 2t) in place of every t\n"
+"  -l, --landmarks=FILE  match the boundaries by landmarks (below), not by equal place on the\n"
+"                     rectangle\n"
+"  -a, --align        first move B rigidly onto A, so that corresponding points of the\n"
+"                     boundaries are nearest (least squares over arc length; no reflection):\n"
 "                     x y z and every NAME.x NAME.y NAME.z in the unit length\n"
 CMD_USAGE
-"Metadata equal in A and B stay, others go; t is added.  The history holds the steps of\n"
-"both, marked A and B.  Without landmarks it is noted when B's boundary would fit A's clearly\n"
-"better with another of its corners in the first place.  A and B should be in the same unit of\n"
-"length: a large surface and a small one have no good surface between.  Memory: three grids,\n"
-"whatever the frames.\n"
-"FILE has one landmark a line, counterclockwise, one or more of them: two numbers, a place\n"
-"on A and a place on B, 0 <= place < 4, the side (0 bottom, 1 right, 2 top, 3 left; u or v\n"
-"up, then down) plus the part of it gone by, so that 0 1 2 3 are the corners; or six, a\n"
-"point x y z of A and one of B, each standing for the nearest point of the boundary.  # begins\n"
+"Metadata that are equal in A and B are kept, others are removed; t is added.  The history has\n"
+"the steps of both, marked A and B.  Without landmarks there is a note if B's boundary would fit\n"
+"A's clearly better with another of its corners first.  A and B should have the same unit of\n"
+"length and similar size: otherwise there is no good surface between them.  Memory: three grids,\n"
+"for any number of frames.\n"
+"FILE has one landmark on each line, at least one, counterclockwise.  A landmark is two numbers,\n"
+"a place on A and a place on B, 0 <= place < 4: the side (0 bottom, 1 right, 2 top, 3 left) plus\n"
+"the part of it, in u or v, passed counterclockwise; 0 1 2 3 are the corners.  Or it is six, a\n"
+"point x y z for A and one for B, each replaced by the nearest point of the boundary.  # begins\n"
 "a comment.  Between landmarks, and from the last to the first, equal shares of arc length\n"
-"correspond (33)-(34).  Points that correspond move in space on a line (20), and from\n"
-"their place on A's rectangle to that on B's evenly, for there lambda and H want them; these\n"
-"two stay at equal place.  lh2grid holds the boundary curve only, and that is exact; the\n"
-"rings of the band inside it and the start are moved along with it (Coons patch).\n";
+"correspond (33)-(34).  A point of A and the corresponding one of B are joined by a line in\n"
+"space (20); at t it lies at the place that divides theirs on the rectangle the same way.\n"
+"lambda and H are interpolated at equal place.  lh2grid uses the boundary curve only, which is\n"
+"exact; the inner rings of the band and the start are moved with it (Coons patch).\n";
 
 static const struct option longopt[] = {
 	{ "at",        required_argument, NULL, 't' },
@@ -43,7 +43,7 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
-/* The list of -t, in *n numbers. */
+/* The numbers of the list of -t, to be freed; *n is their count. */
 static double *
 opt_times(const char *list, int *n)
 {
@@ -85,7 +85,7 @@ main(int argc, char *argv[])
 		case 'a': align = 1; break;
 		}
 	if (!at == !frames)
-		misuse("say one of -t T and -n FRAMES");
+		misuse("need either -t T or -n FRAMES");
 	cmd_operands(argc, argv, 2, 2);
 	cmd_binary_output();
 

@@ -26,9 +26,10 @@ static const char text[] =
 "      --corners=FILE four numbers, or four points, one on each line, from FILE\n"
 "      --corners=auto four clear corners of the boundary if it has them, else four\n"
 "                     vertices at equal arc length from its lowest vertex number [auto]\n"
-"      --like=GRID    corners that correspond to those of GRID, which mesh2rect made: the\n"
-"                     vertices next to its corners once the two boundary curves, at equal arc\n"
-"                     length, are rotated and moved as close to each other as possible\n"
+"      --like=GRID    corners that correspond to those of GRID, made by mesh2rect: the two\n"
+"                     boundary curves, by arc length, are fitted as closely as rotation,\n"
+"                     motion and shift along the curve allow; the vertices nearest along\n"
+"                     the curve to the corners of GRID become corners\n"
 "      --like-reversed  with --like: reverse the normal of the mesh, and so the direction of\n"
 "                     its boundary, if the curves are closer then\n"
 "      --flip         reverse the normal of the surface\n"
@@ -37,7 +38,7 @@ static const char text[] =
 "                     0..1 [1e-3]\n"
 "      --split=N      finally split every facet into four, N times; the map is then of quadratic\n"
 "                     elements on the mesh before the last of these splits, 0..8 [1]\n"
-"      --max-vertices=N  both stop at about N vertices, 0..100000000 [300000]\n"
+"      --max-vertices=N  --tolerance and --split stop at about N vertices, 0..100000000 [300000]\n"
 "      --surface=smooth|facets  between the vertices the surface is C1 and cubic\n"
 "                     (Clough-Tocher over the chart) or flat [smooth]\n"
 "      --polish=N     at most N rounds that map the grid by its own metric, each kept only if\n"
@@ -57,7 +58,7 @@ CMD_USAGE
 "neither length nor shape, and scaled to one size.  Their distance after the fit, root mean\n"
 "square in units of the root mean square distance from their centre, is the metadatum like:\n"
 "0 for equal boundaries.  Of fits within 25 % of the best, the one that turns the mesh least\n"
-"is chosen, and this is noted: an outline may fit upside down as well.\n";
+"is chosen, and this is noted: an outline may also fit upside down.\n";
 
 enum { FLIP = 256, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, ALLOW, LIKE, REVERSED, UV = CMD_UNRECORDED };
 
@@ -195,7 +196,7 @@ main(int argc, char *argv[])
 		}
 	cmd_operands(argc, argv, 0, 1);
 	if (like ? corners != NULL : reversed)
-		misuse(like ? "say one of --corners and --like" : "--like-reversed is for --like");
+		misuse(like ? "--corners and --like exclude each other" : "--like-reversed needs --like");
 	if (uv)
 		opt_uv(uv, argv[optind]);
 	cmd_binary_output();

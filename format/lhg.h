@@ -98,8 +98,8 @@ void lhg_drop(Lhg *g, const char *name);
  * the first is node 0 for every support. */
 size_t lhg_next(const Lhg *g, const LhgChannel *c, size_t p);
 
-/* The samples of c picked from a whole grid f[nu*nv], or set back into it
- * (nodes outside the support are left alone). */
+/* Copy the samples of c from a field f[nu*nv] on all nodes, or into it (nodes outside the
+ * support are not changed). */
 void lhg_gather(const Lhg *g, LhgChannel *c, const double *f);
 void lhg_scatter(const Lhg *g, const LhgChannel *c, double *f);
 
@@ -133,7 +133,7 @@ void lhg_open_behind_magic(LhgStream *s, FILE *f);
  * what follows: nothing, or the magic of another grid (which waits, on a pipe, until
  * one or the other is there).  g needs no lhg_init.
  *
- * Returns 1 with a grid in g (lhg_free it), 0 at the end of a whole stream, or a
+ * Returns 1 with a grid in g (lhg_free it), 0 at the end of a complete stream, or a
  * negative code; then g holds nothing, and the stream is to be given up.  An input
  * without any grid is LHG_EMAGIC, one that ends after frame k < n of n is LHG_ESHORT, which
  * the call after that frame returns.  Memory grows with the bytes that arrive. */

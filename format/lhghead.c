@@ -1,8 +1,8 @@
 /* lhghead.c - the header of a grid: write and parse.
  *
- * The parser is simple and forgiving: what it understood is written again by
- * lhg_puthead, and must be what it read.  So no other spelling than the writer's is
- * accepted, whatever the parser lets pass. */
+ * The parser accepts more than the format allows.  Its result is then written again by
+ * lhg_puthead and must equal the bytes read, so that only the spelling of the writer is
+ * accepted. */
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -78,7 +78,7 @@ lhg_puthead(char *h, const Lhg *g, uint32_t prev)
 
 /* ---- parse ----------------------------------------------------------- */
 
-/* Each takes what it is named for from *p on and says whether it was there. */
+/* Each parses the item of its name at *p and sets *p behind it; returns 0 if it is not there. */
 static int
 word(const char **p, const char *w)
 {
@@ -168,7 +168,7 @@ headline(Lhg *g, const char *p, uint32_t *prev)
 	return 0;
 }
 
-/* What stands behind w in the lines of h that begin with it, or *text = NULL if none do.
+/* The rest, behind w, of all lines of h that begin with w; *text = NULL if there are none.
  * Returns 0 or LHG_ENOMEM. */
 static int
 collect(const char *h, const char *w, char **text)
@@ -206,7 +206,7 @@ difference(const char *h, const char *again)
 	return no;
 }
 
-/* h is what lhg_puthead makes of g. */
+/* The header h must be the bytes that lhg_puthead writes for g. */
 static int
 checkspelling(LhgStream *s, const Lhg *g, const char *h, size_t n, uint32_t prev)
 {

@@ -38,11 +38,11 @@ void lhg_passed(LhgStream *s, const Lhg *g, uint32_t crc);
 /* The n bytes at p are 1 .. size-1 letters, digits and . _ + - or of those in extra. */
 int lhg_goodname(const char *p, size_t n, size_t size, const char *extra);
 
-/* The n bytes at p are as LHG.md 2.3 wants a value or a text. */
+/* Whether the n bytes at p are a value or a text by LHG.md 2.3. */
 int lhg_goodtext(const char *p, size_t n);
 
-/* T > 0 as LHG.md 2 spells it, and back; both blind to the locale.  lhg_getheight gives 0
- * for what is not a decimal number. */
+/* T > 0 as LHG.md 2 spells it, and back; both ignore the locale.  lhg_getheight gives 0
+ * if the text is not a decimal number. */
 enum { LHG_HEIGHTLEN = 40 };
 void   lhg_putheight(char text[LHG_HEIGHTLEN], double T);
 double lhg_getheight(const char *p, size_t n);

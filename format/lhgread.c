@@ -80,7 +80,7 @@ takehead(LhgStream *s, const Lhg *g, char h[LHG_MAXHEAD + 1], size_t *n)
 	return lhg_fail(s, g, LHG_EHEAD, "header has no end in its first %d bytes", LHG_MAXHEAD);
 }
 
-/* A whole header, as g and the CRC it ends in; its line 1 is taken already. */
+/* Reads a header after its line 1, into g and the CRC at its end. */
 static int
 readhead(LhgStream *s, Lhg *g, uint32_t *crc)
 {

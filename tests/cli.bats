@@ -39,28 +39,28 @@ setup_file() {
 	try 2 'need a number in \[0,'               /dev/null lhfft -K -1
 	try 2 'need a number in \[0,'               /dev/null lhfft -K 2x
 	try 2 'need a number in \[0,'               /dev/null lhfft -K nan
-	try 2 'say one of'                          /dev/null lhfft
-	try 2 'say one of'                          /dev/null lhfft -K 2 --keep=3
-	try 2 'say one of'                          /dev/null lhfft --raw --keep=3
+	try 2 'need exactly'                        /dev/null lhfft
+	try 2 'need exactly'                        /dev/null lhfft -K 2 --keep=3
+	try 2 'need exactly'                        /dev/null lhfft --raw --keep=3
 	try 2 'need a whole number in \[1,'         /dev/null lhfft --keep=0
-	try 2 'say one of'                          /dev/null lhfft --K-H=1 --keep=3
-	try 2 'say one of'                          /dev/null lhfft --raw
+	try 2 'need exactly'                        /dev/null lhfft --K-H=1 --keep=3
+	try 2 'need exactly'                        /dev/null lhfft --raw
 	try 2 'bound=: need a number in \[0,'       /dev/null lhfft -K 1,,2
 	try 2 'bound=: need a number in \[0,'       /dev/null lhfft -K 1,
 	try 2 'bound=-2: need a number in \[0,'     /dev/null lhfft -K 1,-2
 	try 2 'K-H=x: need a number in \[0,'        /dev/null lhfft -K 1 --K-H=x
 	try 2 'more than 256 scales'                /dev/null lhfft -K "$(seq -s, 257)"
 	try 2 'energy=1.5: need a number in \[0,1\]' /dev/null lhfft --energy=0.5,1.5
-	try 2 'say one of'                          /dev/null lhfft --raw --energy=0.5
+	try 2 'need exactly'                        /dev/null lhfft --raw --energy=0.5
 	try 2 'low-pass=-1: need a number in \[0,'  /dev/null lhfft --low-pass=-1
-	try 2 'say one of'                          /dev/null lhfft --low-pass=1 --energy=0.5
+	try 2 'need exactly'                        /dev/null lhfft --low-pass=1 --energy=0.5
 	try 2 'the grid goes there'                 /dev/null lhfft -K 1 --spectrum=-
 	try 2 'the grid goes there'                 /dev/null lhfft --spectrum="$tmp/x" -K 1 -o "$tmp/x"
-	try 2 'say one of'                          /dev/null lhfft --spectrum="$tmp/x"
+	try 2 'need exactly'                        /dev/null lhfft --spectrum="$tmp/x"
 	try 2 'not one of its words'                /dev/null lhfft -K 1 --basis=fft
 	try 2 'need a number in \[0,1\]'            /dev/null lhinterp -t 1.5 a b
-	try 2 'say one of'                          /dev/null lhinterp a b
-	try 2 'say one of'                          /dev/null lhinterp -t 0.5 -n 3 a b
+	try 2 'need either'                         /dev/null lhinterp a b
+	try 2 'need either'                         /dev/null lhinterp -t 0.5 -n 3 a b
 	try 2 'need a whole number in \[2,'         /dev/null lhinterp -n 1 a b
 	try 2 'need an end of .off'                 /dev/null grid2mesh -o "$tmp/x.xyz"
 	try 2 'need one %d'                         /dev/null grid2mesh -o "$tmp/%s.off"

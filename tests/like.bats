@@ -64,8 +64,8 @@ turned() {
 }
 
 @test "what --like cannot take is refused" {
-	try 2 'say one of --corners and --like' /dev/null mesh2rect -c auto --like="$tmp/a" "$tmp/face.off"
-	try 2 '--like-reversed is for --like'   /dev/null mesh2rect --like-reversed "$tmp/face.off"
+	try 2 '--corners and --like exclude each other' /dev/null mesh2rect -c auto --like="$tmp/a" "$tmp/face.off"
+	try 2 '--like-reversed needs --like' /dev/null mesh2rect --like-reversed "$tmp/face.off"
 	try 1 'nosuch: No such file'            /dev/null mesh2rect --like="$tmp/nosuch" "$tmp/face.off"
 	try 1 'face.off: .*not an lhg'          /dev/null mesh2rect --like="$tmp/face.off" "$tmp/face.off"
 	try 1 'stdin: no channel band.x'        <(lhfft -K 0 <(grid2lh "$tmp/a") | /usr/bin/python3 -c '

@@ -64,7 +64,7 @@ share=4
 	(ulimit -v 1500000 && try 1 'large: no memory: the frame method needs about 1958400000 bytes, there are 1536000000$' \
 	    /dev/null lh2grid --method=frame "$tmp/large")
 	/usr/bin/python3 tests/hostile.py "$tmp/lh" "$tmp/large" 'g = size(300, 300, 3)'
-	(ulimit -v 1000000 && try 1 'large: no memory: the way from key to key needs about 1468800000 bytes, there are 1024000000$' \
+	(ulimit -v 1000000 && try 1 'large: no memory: the detail of key frames needs about 1468800000 bytes, there are 1024000000$' \
 	    /dev/null lh2grid --keyframes=1000 "$tmp/large")
 	/usr/bin/python3 tests/hostile.py "$tmp/lh" "$tmp/large" 'g = size(1800, 1800, 3)'
 	(ulimit -v 840000 && try 1 'large: no memory: the surface method needs about 881280000 bytes, there are 860160000$' \

@@ -27,13 +27,13 @@ convert_key(const CmdInput *in, Lhg *g, int every, SurfaceFit o, KeyframesConver
 {
 	Key k = { g->nu, g->nv, NULL };
 
-	claim(in->name, "the way from key to key", (double)g->nu*g->nv, 8*(40 + 2.0*every));
+	claim(in->name, "the detail of key frames", (double)g->nu*g->nv, 8*(40 + 2.0*every));
 	o.detail = k.detail = cmd_alloc(numbers(g), sizeof *k.detail);
 	convert(in, g, &o);
 	return k;
 }
 
-/* A grid that lies the part t of the way from key a to key b. */
+/* A grid at the part t between key a and key b. */
 static void
 convert_between(const CmdInput *in, Lhg *g, const Key *a, const Key *b, double t, SurfaceFit o,
 	KeyframesConvert *convert)
@@ -49,9 +49,9 @@ convert_between(const CmdInput *in, Lhg *g, const Key *a, const Key *b, double t
 	free(o.forecast);
 }
 
-/* Reads so many grids, fewer at the end of the stream. */
+/* Reads up to room grids; returns their number, fewer at the end of the stream. */
 static int
-take(CmdInput *in, Lhg *g, int room)
+read_grids(CmdInput *in, Lhg *g, int room)
 {
 	int n;
 
@@ -67,7 +67,7 @@ keyframes(CmdInput *in, int every, const SurfaceFit *o, KeyframesConvert *conver
 	Key last = { 0 }, next;
 	int i, n, room = 1;             /* the first of all frames is a key, and so is the last */
 
-	for (; (n = take(in, g, room)) > 0; room = every) {
+	for (; (n = read_grids(in, g, room)) > 0; room = every) {
 		next = convert_key(in, &g[n-1], every, *o, convert);
 		for (i = 0; i < n; i++) {
 			if (i < n - 1)

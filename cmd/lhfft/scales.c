@@ -8,7 +8,7 @@
 #include "../shared/range.h"
 #include "scales.h"
 
-static const char ways[] = "say one of -K X, --raw -K X, --keep=N, --energy=SHARE, --low-pass=R";
+static const char ways[] = "need exactly one of -K X, --raw -K X, --keep=N, --energy=SHARE, --low-pass=R";
 
 void
 scales_init(Scales *s)

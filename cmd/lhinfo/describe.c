@@ -26,8 +26,7 @@ range(const LhgChannel *c)
 	return r;
 }
 
-/* Each line of s (NULL: none) between the words before and after, with the JSON string
- * of what stands before its first space, too, where pairs is set. */
+/* The lines of s (NULL: none) as JSON strings; with pairs, as "key": "value", split at the first space. */
 static void
 json_lines(FILE *f, const char *s, int pairs)
 {

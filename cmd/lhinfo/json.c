@@ -1,4 +1,4 @@
-/* json.c - text as JSON wants it. */
+/* json.c - text as JSON strings. */
 #include "json.h"
 
 /* The length of the UTF-8 character at s, or 0: cut, overlong, a surrogate, or beyond

@@ -4,7 +4,7 @@
 
 #include "../../lib/morph/matching.h"
 
-/* The correspondence of borders a and b that the landmarks in path say, or die. */
+/* The correspondence of borders a and b by the landmarks in path, or die. */
 void landfile_match(const char *path, const Border *a, const Border *b, Matching *m);
 
 #endif

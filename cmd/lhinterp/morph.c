@@ -1,4 +1,4 @@
-/* morph.c - from one grid to another. */
+/* morph.c - interpolation between two grids and their borders. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,7 +33,7 @@ check_channels(const Morph *m)
 	}
 }
 
-/* B moved onto A, so that points that correspond are nearest. */
+/* Moves B rigidly onto A, by least squares over corresponding points. */
 static void
 align(Morph *m)
 {
@@ -86,7 +86,7 @@ morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks
 		align(m);
 }
 
-/* The border where the landmarks want it, and the other positions moved with it. */
+/* Moves the border to the interpolation by landmarks, and the other positions with it. */
 static void
 follow_landmarks(const Morph *m, double t, Lhg *g)
 {

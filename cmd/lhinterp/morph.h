@@ -1,4 +1,4 @@
-/* morph.h - what lhinterp knows of its two grids. */
+/* morph.h - the two grids of lhinterp and the interpolation between them. */
 #ifndef CMD_MORPH_H
 #define CMD_MORPH_H
 
@@ -8,7 +8,7 @@
 typedef struct Morph {
 	CmdInput A, B;
 	Lhg      a, b;
-	int      has_border, landmarks; /* whether border and match are there; of landmarks */
+	int      has_border, landmarks; /* border and match are set; by landmarks */
 	Border   border[2];
 	Matching match;
 } Morph;

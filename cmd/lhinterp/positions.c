@@ -4,7 +4,7 @@
 #include "../../lib/grid/coons.h"
 #include "positions.h"
 
-/* Channel k and the two that belong to it, if it is the x of positions. */
+/* Whether channel k is the x of positions; c: it and its y and z. */
 static int
 triple(Lhg *g, int k, LhgChannel *c[3])
 {

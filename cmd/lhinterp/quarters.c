@@ -1,4 +1,4 @@
-/* quarters.c - the four quarter turns of a border against another. */
+/* quarters.c - which corner of one border fits the first corner of another. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -6,10 +6,10 @@
 #include "quarters.h"
 
 enum { SIDE = 128 };                    /* points a side */
-static const double CLEAR = 1.5;        /* how much farther apart the borders must be, .. */
-static const double FAR = 0.1;          /* .. in units of their size at least so far, .. */
-static const double NEAR = 1.25;        /* .. or, when no farther than that from each other, .. */
-static const double TURN = M_PI/3;      /* .. how much more B must be turned */
+static const double CLEAR = 1.5;        /* note if the distance is this times that of the best turn, .. */
+static const double FAR = 0.1;          /* .. and more than this, in units of their size; .. */
+static const double NEAR = 1.25;        /* .. turns within this factor of the best fit equally well; .. */
+static const double TURN = M_PI/3;      /* .. note if B is rotated by this more than by the best */
 
 /* Points at equal places from side first on, centred and of root mean square 1. */
 static void
@@ -28,8 +28,8 @@ sample(const Border *b, int first, double *x)
 		x[i] *= sqrt(4*SIDE)/sum;
 }
 
-/* The number of quarter turns that fits best.  Where B stays as it stands, none counts that would have to
- * turn it much more in space. */
+/* The number of quarter turns that fits best; of equally good ones, that which rotates B least.  If B is
+ * not aligned, turns that need a much larger rotation in space are excluded. */
 static int
 best_turn(const double rms[4], const double angle[4], int aligned)
 {

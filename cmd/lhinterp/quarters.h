@@ -5,9 +5,9 @@
 #include "../../lib/grid/border.h"
 #include "../shared/cmd.h"
 
-/* Notes if the border of B would fit that of A clearly better with its corners a quarter
- * turn or more on: at equal conformal position, both of one size, B moved rigidly.  If it is not to
- * be so moved (aligned), turns of the corners that would want it do not count. */
+/* Notes if the border of B fits that of A clearly better with another corner first.  Borders are
+ * compared at equal conformal position, scaled to one size, B moved rigidly.  aligned: B will be
+ * moved; otherwise turns of the corners that need a large rotation are excluded. */
 void quarters_check(const CmdInput *A, const Border *a, const CmdInput *B, const Border *b,
 	int aligned);
 

@@ -1,13 +1,13 @@
-/* claim.c - memory that is not there is said so before the work begins. */
+/* claim.c - reports too little memory before the work begins. */
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include "claim.h"
 #include "cmd.h"
 
-/* What there is: all of the machine's, or the process's share. */
+/* Bytes of memory: the machine's, or the limit of the process if that is less. */
 static double
-there_is(void)
+memory_bytes(void)
 {
 	double all = (double)sysconf(_SC_PHYS_PAGES)*(double)sysconf(_SC_PAGESIZE);
 	struct rlimit r;
@@ -20,14 +20,14 @@ there_is(void)
 void
 claim(const char *where, const char *what, double n, double bytes)
 {
-	if (n*bytes > there_is())
-		die("%s: no memory: %s needs about %.0f bytes, there are %.0f", where, what, n*bytes, there_is());
+	if (n*bytes > memory_bytes())
+		die("%s: no memory: %s needs about %.0f bytes, there are %.0f", where, what, n*bytes, memory_bytes());
 }
 
 size_t
 claim_input(void)
 {
-	double half = there_is()/2, most = 4.*1024*1024*1024;
+	double half = memory_bytes()/2, most = 4.*1024*1024*1024;
 
 	return half < most ? (size_t)half : (size_t)most;
 }

@@ -38,7 +38,7 @@ void detail(const char *fmt, ...);
 	{ NULL, 0, NULL, 0 }
 #define CMD_USAGE \
 "  -o, --output=FILE  write FILE instead of stdout, complete or not at all\n" \
-"      --no-history   leave this step and all earlier ones out of the history of the result\n" \
+"      --no-history   write no history: neither this step nor the earlier ones\n" \
 "  -q, --quiet        no notes on stderr\n" \
 "  -v, --verbose      more details on stderr\n" \
 "  -h, --help         print this text\n" \

@@ -1,4 +1,4 @@
-/* descriptor.c - file descriptors as streams that nothing but an error cuts short. */
+/* descriptor.c - stdio streams over descriptors that retry EINTR, EAGAIN and short transfers. */
 #define _GNU_SOURCE             /* fopencookie */
 #include <errno.h>
 #include <fcntl.h>
@@ -8,8 +8,8 @@
 
 #include "private.h"
 
-/* After a call that moved nothing: whether to make it again.  A descriptor that another
- * process made non-blocking is waited for. */
+/* Whether a call that moved nothing is to be repeated.  Waits for a descriptor that another process
+ * made non-blocking. */
 static int
 again(int fd, short what)
 {
@@ -21,7 +21,7 @@ again(int fd, short what)
 }
 
 static ssize_t
-take(void *cookie, char *bytes, size_t n)
+read_some(void *cookie, char *bytes, size_t n)
 {
 	int fd = (int)(intptr_t)cookie;
 	ssize_t got;
@@ -31,9 +31,9 @@ take(void *cookie, char *bytes, size_t n)
 	return got;
 }
 
-/* Less than n means an error to stdio. */
+/* stdio treats a count below n as an error. */
 static ssize_t
-give(void *cookie, const char *bytes, size_t n)
+write_all(void *cookie, const char *bytes, size_t n)
 {
 	int fd = (int)(intptr_t)cookie;
 	size_t gone = 0;
@@ -48,7 +48,7 @@ give(void *cookie, const char *bytes, size_t n)
 }
 
 static int
-end(void *cookie)
+close_descriptor(void *cookie)
 {
 	return close((int)(intptr_t)cookie);
 }
@@ -56,14 +56,14 @@ end(void *cookie)
 FILE *
 descriptor_stream(int fd, const char *mode)
 {
-	return fopencookie((void *)(intptr_t)fd, mode, (cookie_io_functions_t){ take, give, NULL, end });
+	return fopencookie((void *)(intptr_t)fd, mode, (cookie_io_functions_t){ read_some, write_all, NULL, close_descriptor });
 }
 
-/* Else a file opened later would stand there, and take what is said to stdout or stderr. */
+/* Otherwise a file opened later would get one of these numbers, and results or messages be written into it. */
 int
 descriptor_fill(void)
 {
-	static const int mode[3] = { O_WRONLY, O_RDONLY, O_RDWR };      /* 0, 1: of no use, so an error */
+	static const int mode[3] = { O_WRONLY, O_RDONLY, O_RDWR };      /* 0, 1: the wrong direction, so that use is an error */
 	int fd;
 
 	for (fd = 0; fd < 3; fd++)

@@ -82,7 +82,7 @@ history_word(const char *dashes, const char *word, const char *equals, const cha
 	free(quoted);
 }
 
-/* Whether a line is a summary, behind any number of marks; *counted: the steps it stands for. */
+/* Whether a line is a summary, behind any number of marks; *counted: the steps in it. */
 static int
 is_summary(const Line *l, unsigned long *counted)
 {

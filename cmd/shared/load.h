@@ -14,7 +14,7 @@ void load_bytes(const char *name, char *bytes, size_t n, int uv, Soup *s);
 /* The disk made from s, or die; repairs are noted. */
 void load_disk(const char *name, const Soup *s, Disk *d);
 
-/* Die if no mesh can begin with these bytes.  A CmdLook. */
+/* Die if these bytes begin no mesh file.  A CmdLook. */
 void load_look(const char *name, const char *head, size_t n);
 
 #endif

@@ -1,4 +1,4 @@
-/* range.c - numbers whose squares and products all stages can hold. */
+/* range.c - input limits within which no stage overflows. */
 #include <math.h>
 
 #include "range.h"

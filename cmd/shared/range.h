@@ -1,4 +1,4 @@
-/* range.h - numbers whose squares and products all stages can hold, or one true line. */
+/* range.h - input limits within which no stage overflows; beyond them the program dies. */
 #ifndef CMD_RANGE_H
 #define CMD_RANGE_H
 
@@ -15,12 +15,12 @@ void range_height(const CmdInput *in, const Lhg *g);
  * lambda, or die. */
 void range_lambda_h(const CmdInput *in, const Lhg *g, const double *lambda, const double *H);
 
-/* No two points of the surface lie farther apart than the largest lambda times 1 + T: a
- * coordinate of it that spans more than a thousand times that is none of it, so die. */
+/* No two points of the surface lie farther apart than the largest lambda times 1 + T: die if
+ * a coordinate spans more than a thousand times that. */
 void range_width(const CmdInput *in, const Lhg *g, const char *name);
 
 /* A field, the product of channels, of g's nodes whose squares are to be summed: not beyond
- * 1e100, or die; what says what it is. */
+ * 1e100, or die; what: its name in the message. */
 void range_field(const CmdInput *in, const Lhg *g, const char *what, const double *f);
 
 /* A channel of g whose squares are to be summed: not beyond 1e100, or die. */

@@ -3,7 +3,7 @@
 #define CMD_SAMEFILE_H
 
 /* Would a and b be written to the same place?  Symbolic links, "." and ".." are followed; the files
- * need not be there.  Hard links are two places: an output is renamed to its name. */
+ * need not be there.  Two hard links are two places, since an output replaces the name, not the file. */
 int same_file(const char *a, const char *b);
 
 #endif
