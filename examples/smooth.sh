@@ -7,8 +7,8 @@ mkdir -p "$out"
 # A synthetic face of about 6000 vertices.
 mkmesh -n 6000 face -o "$out/face.off"
 
-# Map it onto a rectangle, take (lambda, H), drop what is below 2 percent of their
-# spectra, and solve for the surface that fits what is left.
+# Map it onto a rectangle, compute (lambda, H), drop waves below 2 percent of their
+# root mean square, and solve for the surface that fits the rest.
 mesh2rect "$out/face.off" | grid2lh | lhfft -K 2 | lh2grid | grid2mesh -o "$out/smooth.off"
 
 echo "wrote $out/face.off (before) and $out/smooth.off (after)"

@@ -1,4 +1,4 @@
-/* lhgio.c - what reading and writing share: messages, the order of grids, fixed bytes.
+/* lhgio.c - shared by reading and writing: messages, the order of grids, fixed bytes.
  * Section numbers: LHG.md. */
 #include <errno.h>
 #include <stdarg.h>

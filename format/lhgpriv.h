@@ -24,7 +24,7 @@ int lhg_fail(LhgStream *s, const Lhg *g, int code, const char *fmt, ...);
 /* The same with LHG_EIO and the reason in errno; what is "read" or "write". */
 int lhg_failio(LhgStream *s, const Lhg *g, const char *what);
 
-/* Frame and frames of g are what may come next, section 5.  Returns 0 or LHG_EORDER. */
+/* Whether frame and frames of g may come next, section 5.  Returns 0 or LHG_EORDER. */
 int lhg_checkorder(LhgStream *s, const Lhg *g);
 
 /* The CRC that line 4 of the next header repeats. */

@@ -1,4 +1,4 @@
-# helper.bash - what the command tests share.  Run from the top of the repository.
+# helper.bash - functions shared by the tests of commands.  Run from the top of the repository.
 
 bats_require_minimum_version 1.5.0
 BUILD=${BUILD:-build}
@@ -12,7 +12,7 @@ tmp=$BATS_FILE_TMPDIR
 #
 # One case a line: the exit status; what the one line on stderr must match after
 # "command: " ('' when there must be none); standard input.  A command that fails leaves
-# stdout empty.  stdout stands in $tmp/out afterwards.
+# stdout empty.  stdout is in $tmp/out afterwards.
 try() {
 	local want=$1 pattern=$2 input=$3 code=0
 	shift 3

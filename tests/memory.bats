@@ -56,7 +56,7 @@ share=4
 	short_of 2 mesh2rect -n 4 "$tmp/flat.off"
 }
 
-@test "what needs more than the machine has says how much before it starts" {
+@test "too little memory is reported, with the amount needed, before the work begins" {
 	try 1 'cap.off: no memory: the grid needs about [0-9]{12} bytes, there are [0-9]+$' /dev/null \
 	    mesh2rect -n 32767 "$tmp/cap.off"
 	case $BUILD in */*) skip "sanitizers want more address space than a limit leaves" ;; esac

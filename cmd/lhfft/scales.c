@@ -132,7 +132,7 @@ scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g)
 	return f;
 }
 
-/* A field of which nothing is dropped is left untouched, bit for bit. */
+/* If nothing of a field is dropped, it is not changed, bit for bit. */
 void
 scales_apply(const Scales *s, int k, const CmdInput *in, Lhg *g)
 {

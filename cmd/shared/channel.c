@@ -1,4 +1,4 @@
-/* channel.c - channels and metadata of a grid, or one line that says what is missing. */
+/* channel.c - channels and metadata of a grid; a missing channel ends the program. */
 #include <stdarg.h>
 #include <string.h>
 

@@ -93,7 +93,7 @@ void cmd_read_one(CmdInput *in, Lhg *g);
 int  cmd_open_or_slurp(CmdInput *in, const char *path, CmdLook *look, char **bytes, size_t *n);
 
 /* Write g to -o or stdout, the step of this command added to its history.  cmd_pass is for a stage that
- * writes one grid for each grid of in: after the last frame of a set, if in goes on, it also begins
+ * writes one grid for each grid of in: after the last frame of a set, if in has more, it also begins
  * the next header, so that the output is incomplete if this stage then fails or is killed. */
 void cmd_write(Lhg *g);
 void cmd_pass(const CmdInput *in, Lhg *g);

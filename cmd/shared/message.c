@@ -1,4 +1,4 @@
-/* message.c - what a command prints on stderr. */
+/* message.c - errors, notes, details and progress on stderr. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>

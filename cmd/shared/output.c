@@ -105,7 +105,7 @@ follow_links(const char *path, char to[PATH_MAX])
 }
 
 /* A template for mkstemp in the folder of path.  It holds the name of the file where the file system
- * takes names that long. */
+ * allows names that long. */
 static void
 temp_name(const char *path, char temp[PATH_MAX + 16])
 {

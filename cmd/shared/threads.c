@@ -3,8 +3,8 @@
  * Two settings are read by libraries before main begins, from the environment alone:
  *
  * GOMP_SPINCOUNT        After every loop libgomp's threads spin for milliseconds.  On a busy
- *                       machine (make -j, a batch over a folder) this takes several times
- *                       as long as the work.  A hundredth of it costs an idle machine
+ *                       machine (make -j, a batch over a folder) this costs several times
+ *                       as much as the work.  A hundredth of it costs an idle machine
  *                       nothing.
  * OPENBLAS_NUM_THREADS  Our calls of BLAS use one thread.  OpenBLAS starts its others all
  *                       the same, and where they get no memory it never ends.
