@@ -2,9 +2,13 @@
 # builds and runs every test.  Everything built lies in $(BUILD).
 #
 #   make                      build the commands into build/bin
+#   make quick                unit tests and the fast command tests; installs nothing (seconds)
+#   make test T=misfit        one unit test; T=pipes.bats one file of command tests
 #   make SANITIZE=address,undefined check      the same in build/address,undefined
 #   make install PREFIX=/usr/local DESTDIR=
 #   make bench                the numbers the project promises (minutes)
+#   make compile_commands.json    for editors
+#   make check-untracked      fails if a test left a file, or a stray one is tracked
 #   make coverage             lines that the tests run, by file (minutes)
 #   make soak                 what make check takes a share of, whole (minutes)
 #   make fuzz FUZZ_SECONDS=60 hostile inputs, so long for each target (clang 14)
@@ -68,6 +72,8 @@ LINKED   := $(BIN) $(FAULTY) $(TESTBIN) $(FUZZBIN)
 $(foreach p,$(LINKED),$(if $(wildcard $p.used),,$(eval $p: $(LIBOBJ) $(SHARED))))
 -include $(LINKED:=.used)
 
+# cmd/shared/pages.c
+$(BIN): WRAP = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc
 $(BIN): $(BUILD)/bin/%: $(BUILD)/cmd/%.o | $(CMDLIB) $(LIB)
 	$(call link,$<,$(CMDLIB) $(LIB))
 
@@ -109,7 +115,7 @@ $(BUILD)/%.o: %.cc config.mk
 $(BUILD)/lib/sparse/product.o: ALL_CFLAGS += -ffp-contract=fast
 
 # Several nodes at a time, whatever CFLAGS say.
-$(addprefix $(BUILD)/lib/,surface/misfit.o surface/misfitapply.o poisson/sine.o poisson/cosine.o): ALL_CFLAGS += -O3
+$(addprefix $(BUILD)/lib/,surface/misfit.o surface/misfitapply.o poisson/transform.o): ALL_CFLAGS += -O3
 
 demo:
 	scripts/deps
@@ -123,6 +129,25 @@ check:
 	for t in $(UNIT); do $$t || exit 1; done
 	for t in $(FUZZ); do $(BUILD)/tests/fuzz/$$t tests/fuzz/corpus/$$t tests/lhg/good tests/lhg/bad || exit 1; done
 	bats tests
+
+# The command tests that take seconds.
+FAST = arrows doc examples like lhg lhgpy lhdiff uv
+
+quick: all $(UNIT)
+	scripts/arrows $(BUILD)
+	for t in $(filter-out %_adapt %_memory %_surface %_lhgdamage %_polish,$(UNIT)); do $$t || exit 1; done
+	bats $(FAST:%=tests/%.bats)
+
+# One test, as make check runs it.
+test: all tests
+	$(if $(T),,$(error say which: make test T=misfit, or T=pipes.bats))
+	$(if $(filter %.bats,$(T)),bats tests/$(T),$(BUILD)/tests/test_$(T))
+
+check-untracked:
+	scripts/untracked
+
+compile_commands.json:
+	$(MAKE) -nB --no-print-directory all tests | scripts/compile-commands >$@
 
 soak: all tests
 	LHG_CHANGES=1000000 $(BUILD)/tests/test_lhgdamage
@@ -167,7 +192,9 @@ uninstall:
 clean:
 	rm -rf build
 
-.PHONY: all tests demo check soak fuzz fuzztargets coverage bench paper install uninstall clean
+compile_commands.json: FORCE
+
+.PHONY: FORCE all tests demo check quick test check-untracked soak fuzz fuzztargets coverage bench paper install uninstall clean
 .SECONDARY: $(OBJ)
 
 -include $(OBJ:.o=.d)

@@ -1,0 +1,68 @@
+# arrows.bats - scripts/arrows and scripts/untracked find what they are for.
+
+load helper
+
+# A tree of two wings, b may use a.
+setup() {
+	t=$BATS_TEST_TMPDIR
+	arrows=$PWD/scripts/arrows untracked=$PWD/scripts/untracked
+	mkdir -p "$t"/lib/a "$t"/lib/b "$t"/format "$t"/cmd/shared "$t"/cmd/p
+	echo 'May use: nothing.' >"$t/lib/a/README.md"
+	echo 'May use: a.' >"$t/lib/b/README.md"
+	echo 'int one(void); int one(void) { return 1; }' >"$t/lib/a/one.c"
+	echo 'int one(void), two(void); int two(void) { return 2*one(); }' >"$t/lib/b/two.c"
+	cd "$t"
+}
+
+build() {
+	local f
+	for f in lib/*/*.c cmd/*.c cmd/*/*.c; do
+		[ ! -e "$f" ] || { mkdir -p "build/${f%/*}" && gcc -c -o "build/${f%.c}.o" "$f"; } || return 1
+	done
+	"$arrows" build
+}
+
+@test "arrows that the plan allows pass" {
+	run -0 build
+	[ -z "$output" ]
+}
+
+@test "a forbidden call, a forbidden include and a circle are found" {
+	echo 'int two(void), back(void); int back(void) { return two(); }' >lib/a/back.c
+	run -1 build
+	[[ $output = *"lib/a/back.c uses lib/b/two.c"* ]]
+	rm lib/a/back.c build/lib/a/back.o
+	echo '#include "../b/b.h"' >lib/a/inc.c
+	touch lib/b/b.h
+	run -1 build
+	[[ $output = *"lib/a/inc.c uses lib/b/b.h"* ]]
+	rm lib/a/inc.c
+	echo 'int one(void), other(void); int other(void) { return one(); }' >lib/a/other.c
+	echo 'int other(void), one(void); int one(void) { return other(); }' >lib/a/one.c
+	run -1 build
+	[[ $output = *"a circle: lib/a/one.c lib/a/other.c"* ]]
+}
+
+@test "a part of one program is not for another" {
+	echo 'int part(void); int part(void) { return 0; }' >cmd/p/part.c
+	echo 'int part(void); int main(void) { return part(); }' >cmd/q.c
+	run -1 build
+	[[ $output = *"cmd/q.c uses cmd/p/part.c"* ]]
+}
+
+@test "a file that a test left, and a stray one that is tracked, are found" {
+	git init -q .
+	printf 'all:\n' >Makefile
+	git add Makefile lib
+	git -c user.name=t -c user.email=t@example.org commit -qm t
+	rm -rf format cmd
+	run -0 "$untracked"
+	touch left
+	run -1 "$untracked"
+	[[ $output = *left* ]]
+	mv left 6.39315458e-06
+	git add 6.39315458e-06
+	git -c user.name=t -c user.email=t@example.org commit -qm stray
+	run -1 "$untracked"
+	[[ $output = *6.39315458e-06* ]]
+}
