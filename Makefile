@@ -11,7 +11,7 @@
 #   make check-untracked      fails if a test left a file, or a stray one is tracked
 #   make coverage             lines that the tests run, by file (minutes)
 #   make soak                 what make check takes a share of, whole (minutes)
-#   make fuzz FUZZ_SECONDS=60 hostile inputs, so long for each target (clang 14)
+#   make fuzz FUZZ_SECONDS=60 hostile inputs, so long for each target (clang)
 #   make paper                the paper's tables and figures on our surfaces, build/paper/report.md (minutes)
 
 include config.mk
@@ -161,7 +161,7 @@ FUZZLIB := $(patsubst %.c,build/fuzz/%.o,$(wildcard format/*.c) $(wildcard lib/m
 
 fuzz:
 	scripts/deps --fuzz
-	$(MAKE) BUILD=build/fuzz CC=clang-14 CXX=clang++-14 OPENMP= LIBOBJ='$(FUZZLIB)' FUZZMAIN= \
+	$(MAKE) BUILD=build/fuzz CC=clang-$$(scripts/deps --clang) CXX=clang++-$$(scripts/deps --clang) OPENMP= LIBOBJ='$(FUZZLIB)' FUZZMAIN= \
 	    CFLAGS='-O2 -g -fno-sanitize-recover=all -fsanitize=address,undefined' COVER=-fsanitize=fuzzer-no-link \
 	    LDFLAGS='-Wl,--as-needed -fsanitize=fuzzer,address,undefined' fuzztargets
 	scripts/fuzz $(FUZZ_SECONDS) $(FUZZ)

@@ -15,6 +15,8 @@ static const char text[] =
 "  -e, --ease         slow at both ends: t^2 (3 - 2t) in place of every t\n"
 "  -l, --landmarks=FILE  match the boundaries by landmarks (below), not by equal place on the\n"
 "                     rectangle\n"
+"  -s, --scale        first multiply all lengths of B by sqrt(area of A/area of B), about the\n"
+"                     origin: channels in length by it, in 1/length by its inverse\n"
 "  -a, --align        first move B rigidly onto A, so that corresponding points of the\n"
 "                     boundaries are nearest (least squares over arc length; no reflection):\n"
 "                     x y z and every NAME.x NAME.y NAME.z in the unit length\n"
@@ -39,6 +41,7 @@ static const struct option longopt[] = {
 	{ "frames",    required_argument, NULL, 'n' },
 	{ "ease",      no_argument,       NULL, 'e' },
 	{ "landmarks", required_argument, NULL, 'l' },
+	{ "scale",     no_argument,       NULL, 's' },
 	{ "align",     no_argument,       NULL, 'a' },
 	CMD_LONGOPT
 };
@@ -69,19 +72,20 @@ eased(double t)
 int
 main(int argc, char *argv[])
 {
-	int opt, frames = 0, ease = 0, align = 0, k, n = 0;
+	int opt, frames = 0, ease = 0, scale = 0, align = 0, k, n = 0;
 	const char *landmarks = NULL;
 	double *at = NULL, t;
 	Morph m;
 	Lhg g;
 
 	cmd_begin("lhinterp", text);
-	while ((opt = cmd_getopt(argc, argv, "t:n:el:a", longopt)) != -1)
+	while ((opt = cmd_getopt(argc, argv, "t:n:el:sa", longopt)) != -1)
 		switch (opt) {
 		case 't': free(at); at = opt_times(optarg, &n); break;
 		case 'n': frames = opt_long(optarg, 2, LHG_MAXFRAMES, "frames"); break;
 		case 'e': ease = 1; break;
 		case 'l': landmarks = optarg; break;
+		case 's': scale = 1; break;
 		case 'a': align = 1; break;
 		}
 	if (!at == !frames)
@@ -89,7 +93,7 @@ main(int argc, char *argv[])
 	cmd_operands(argc, argv, 2, 2);
 	cmd_binary_output();
 
-	morph_open(&m, argv[optind], argv[optind+1], landmarks, align);
+	morph_open(&m, argv[optind], argv[optind+1], landmarks, scale, align);
 	n = frames ? frames : n;
 	for (k = 0; k < n; k++) {
 		t = frames ? k/(n - 1.0) : at[k];

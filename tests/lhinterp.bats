@@ -213,3 +213,22 @@ assert det(a)*det(m) < 0' "$tmp/a" "$tmp/still"
 	lhdiff --no-hausdorff "$tmp/n.phi" "$tmp/m" | awk 'NR > 1 { print $7 }' >"$tmp/means"
 	sort -gc "$tmp/means"
 }
+
+@test "surfaces far apart in size are noted; --scale is as if the mesh had been scaled" {
+	mkmesh -n 300 face -o "$tmp/one.off"
+	awk 'NR > 2 && NF == 3 { printf "%.17g %.17g %.17g\n", 64*$1, 64*$2, 64*$3; next } { print }' "$tmp/one.off" >"$tmp/large.off"
+	mkmesh -n 250 face nose=0.5 | mesh2rect -q -n 16 | grid2lh -o "$tmp/other.lhg"
+	for m in one large; do
+		mesh2rect -q -n 16 "$tmp/$m.off" | grid2lh --residual -o "$tmp/$m.lhg"
+	done
+	mesh2rect -q -n 16 "$tmp/one.off" | grid2lh -o "$tmp/small.lhg"
+	lhinterp -t 1 "$tmp/one.lhg" "$tmp/large.lhg" -o "$tmp/o" 2>"$tmp/err"
+	grep -q '64 times as large as .*--scale' "$tmp/err"
+	lhinterp -t 1 "$tmp/small.lhg" "$tmp/other.lhg" -o "$tmp/o" 2>"$tmp/err"
+	run ! grep 'times as large' "$tmp/err"
+	lhinterp -t 1 --scale "$tmp/one.lhg" "$tmp/large.lhg" -o "$tmp/scaled" 2>"$tmp/err"
+	run ! grep 'times as large' "$tmp/err"
+	python 'a, b = (read(f)[0] for f in sys.argv[1:])
+assert list(a.channels) == list(b.channels) and "nu1" in a.channels and "band.x" in a.channels
+for c in a.channels: assert np.abs(a[c] - b[c]).max() <= 1e-9*np.abs(a[c]).max(), c' "$tmp/one.lhg" "$tmp/scaled"
+}

@@ -166,3 +166,15 @@ apart() {
 	try 0 '' /dev/null mesh2rect -n 8 "$tmp/seam.obj"
 	try 1 'No such file or directory'       "$tmp/cap.off" mesh2rect -n 8 --uv="$tmp/nodir/x.obj"
 }
+
+@test "--uv to the file of stdout, of stdin, or behind a dangling link of -o is refused" {
+	cp "$tmp/cap.off" "$tmp/mesh.off" 2>/dev/null || mkmesh -n 200 cap -o "$tmp/mesh.off"
+	mesh2rect -q -n 8 --uv="$tmp/base.obj" "$tmp/mesh.off" -o "$tmp/grid"
+	cp "$tmp/base.obj" "$tmp/m.obj"
+	ln -s none.obj "$tmp/dangling.obj"
+	run -2 mesh2rect -q -n 8 --uv="$tmp/dangling.obj" -o "$tmp/none.obj" "$tmp/m.obj"
+	run -2 bash -c 'mesh2rect -q -n 8 --uv="$1" "$2" >"$1"' - "$tmp/out.obj" "$tmp/m.obj"
+	run -2 bash -c 'mesh2rect -q -n 8 --uv="$1" - <"$1" >/dev/null' - "$tmp/m.obj"
+	cmp "$tmp/base.obj" "$tmp/m.obj"
+	run -2 bash -c 'grid2lh "$2" | lhfft -q -K 1 --spectrum="$1" >"$1"' - "$tmp/table" "$tmp/grid"
+}

@@ -1,8 +1,10 @@
 /* spectable.c - the table of coefficients that lhfft --spectrum writes. */
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "../shared/chartof.h"
+#include "../shared/samefile.h"
 #include "spectable.h"
 
 void
@@ -10,7 +12,7 @@ opt_spectable(const char *file)
 {
 	const char *out = cmd_output();
 
-	if (strcmp(file, "-") == 0 || (out && strcmp(file, out) == 0))
+	if (strcmp(file, "-") == 0 || (out ? same_file(file, out) : same_as_stream(file, STDOUT_FILENO)))
 		misuse("--spectrum=%s: the grid goes there", file);
 }
 

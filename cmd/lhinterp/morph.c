@@ -10,6 +10,7 @@
 #include "morph.h"
 #include "positions.h"
 #include "quarters.h"
+#include "size.h"
 
 static void
 check_channels(const Morph *m)
@@ -64,7 +65,7 @@ match(Morph *m, const char *landmarks)
 }
 
 void
-morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks, int aligned)
+morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks, int scaled, int aligned)
 {
 	memset(m, 0, sizeof *m);
 	cmd_open(&m->A, pathA);
@@ -77,9 +78,11 @@ morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks
 	cmd_need(&m->A, &m->a, "H", LHG_GRID);
 	check_channels(m);
 	m->has_border = landmarks || aligned || lhg_find(&m->a, "band.x");
+	if (m->has_border)
+		match(m, landmarks);
+	size_match(m, scaled);
 	if (!m->has_border)
 		return;
-	match(m, landmarks);
 	if (!landmarks)
 		quarters_check(&m->A, &m->border[0], &m->B, &m->border[1], aligned);
 	if (aligned)

@@ -13,8 +13,10 @@ typedef struct Morph {
 	Matching match;
 } Morph;
 
-/* Read both, or die if they do not fit each other; landmarks: a file, or NULL. */
-void morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks, int align);
+/* Read both, or die if they do not fit each other.  landmarks: a file, or NULL; scaled, aligned: as
+ * --scale and --align. */
+void morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks, int scaled,
+	int aligned);
 
 /* The grid at t, 0 .. 1, frame k of n. */
 void morph_at(const Morph *m, double t, int k, int n, Lhg *g);

@@ -1,6 +1,8 @@
 /* uvopt.c - the option --uv of mesh2rect. */
 #include <stdlib.h>
 
+#include <unistd.h>
+
 #include "../../lib/mesh/disk.h"
 #include "../../lib/meshfile/meshfile.h"
 #include "../shared/cmd.h"
@@ -16,9 +18,9 @@ opt_uv(const char *file, const char *mesh)
 
 	if (!format || !(format->can & MESHFORMAT_UV))
 		misuse("--uv=%s: need an end of %s", file, meshformat_ends(MESHFORMAT_UV | MESHFORMAT_WRITE, list));
-	if (out && same_file(file, out))
+	if (out ? same_file(file, out) : same_as_stream(file, STDOUT_FILENO))
 		misuse("--uv=%s: the grid goes there, by --output", file);
-	if (cmd_name_of(mesh) == mesh && same_file(file, mesh))
+	if (cmd_name_of(mesh) == mesh ? same_file(file, mesh) : same_as_stream(file, STDIN_FILENO))
 		misuse("--uv=%s: the mesh is read from there, and would lose all but positions and faces", file);
 }
 

@@ -88,8 +88,8 @@ put_path(const char *path, char to[PATH_MAX], size_t dir, const char *rest, size
 
 /* The path that symbolic links lead to, so that the file is replaced and not the link.  A dangling
  * link leads to the file that will be made. */
-static void
-follow_links(const char *path, char to[PATH_MAX])
+void
+output_follow_links(const char *path, char *to)
 {
 	char link[PATH_MAX], *slash;
 	int left = 40;                          /* Linux calls more links a loop */
@@ -163,7 +163,7 @@ out_open(Out *o, const char *path)
 		if ((o->fd = open(path, O_WRONLY)) < 0)
 			die("%s: %s", path, strerror(errno));
 	} else if (path) {
-		follow_links(path, o->path);
+		output_follow_links(path, o->path);
 		open_beside(o, there ? &st : NULL);
 	}
 	if (!(o->f = descriptor_stream(o->fd, "wb")))

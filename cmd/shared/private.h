@@ -36,6 +36,9 @@ char *history_with_step(const char *past);
 void cmd_close_output(void);    /* finish -o FILE or stdout, or die */
 void cmd_drop_output(void);     /* remove an incomplete file */
 
+/* Where an output to path goes: symbolic links followed, dangling ones too, to[PATH_MAX].  Dies of a loop. */
+void output_follow_links(const char *path, char *to);
+
 /* ---- descriptor.c ---- */
 
 /* A stream over fd, which fclose closes; NULL without memory.  Calls that a signal interrupts, that

@@ -1,29 +1,29 @@
 /* samefile.c - two names of one file. */
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "cmd.h"
+#include "private.h"
 #include "samefile.h"
 
-/* The path without links; of a file that is not there, its folder's and its name. */
+/* Where an output to path goes, without links, also of a file that is not there. */
 static char *
 place(const char *path)
 {
-	const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-	size_t n = (size_t)(name - path);
-	char *real = realpath(path, NULL), *folder, *all;
+	char to[PATH_MAX], folder[PATH_MAX + 2], *name, *real, *all;
 
-	if (real)
+	output_follow_links(path, to);
+	if ((real = realpath(to, NULL)))
 		return real;
-	folder = cmd_alloc(n + 2, 1);
-	memcpy(folder, path, n);
-	strcpy(folder + n, ".");
+	name = strrchr(to, '/') ? strrchr(to, '/') + 1 : to;
+	snprintf(folder, sizeof folder, "%.*s.", (int)(name - to), to);
 	real = realpath(folder, NULL);
 	all = cmd_alloc(strlen(real ? real : folder) + strlen(name) + 2, 1);
 	sprintf(all, "%s/%s", real ? real : folder, name);
 	free(real);
-	free(folder);
 	return all;
 }
 
@@ -36,4 +36,13 @@ same_file(const char *a, const char *b)
 	free(p);
 	free(q);
 	return same;
+}
+
+int
+same_as_stream(const char *path, int fd)
+{
+	struct stat a, b;
+
+	return stat(path, &a) == 0 && fstat(fd, &b) == 0 && S_ISREG(b.st_mode) && a.st_dev == b.st_dev
+	    && a.st_ino == b.st_ino;
 }

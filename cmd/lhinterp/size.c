@@ -1,0 +1,71 @@
+/* size.c - areas by lambda, and B scaled to that of A. */
+#include <math.h>
+#include <string.h>
+
+#include "../shared/chartof.h"
+#include "size.h"
+
+static const double APART = 2;          /* ratio of sizes above which a note is due */
+
+/* The root of the integral of lambda^2 du dv, by the trapezoidal rule. */
+static double
+size_of(const Lhg *g)
+{
+	const double *lambda = lhg_find(g, "lambda")->f;
+	Chart c = chart_of(g);
+	double sum = 0, l, w;
+	int i, j;
+
+	for (j = 0; j < g->nv; j++)
+		for (i = 0; i < g->nu; i++) {
+			l = lambda[(size_t)j*g->nu + i];
+			w = (i == 0 || i == g->nu - 1 ? 0.5 : 1)*(j == 0 || j == g->nv - 1 ? 0.5 : 1);
+			sum += w*l*l;
+		}
+	return sqrt(sum*chart_h(c)*chart_k(c));
+}
+
+static void
+multiply(size_t n, double factor, double *x)
+{
+	size_t i;
+
+	for (i = 0; i < n; i++)
+		x[i] *= factor;
+}
+
+/* The channels of g in units of length, times s or 1/s. */
+static void
+scale_channels(Lhg *g, double s)
+{
+	LhgChannel *c;
+
+	for (c = g->chan; c < g->chan + g->nchan; c++)
+		if (strcmp(c->unit, "length") == 0)
+			multiply(c->n, s, c->f);
+		else if (strcmp(c->unit, "1/length") == 0)
+			multiply(c->n, 1/s, c->f);
+		else if (strcmp(c->unit, "1") != 0)
+			note("channel %s is in %s and is not scaled", c->name, c->unit);
+}
+
+void
+size_match(Morph *m, int scaled)
+{
+	double a = size_of(&m->a), b = size_of(&m->b), s = a/b;
+
+	if (!scaled) {
+		if (!(s <= APART && s >= 1/APART))
+			note("%s is %.3g times as large as %s: surfaces between them are poor (--scale brings %s to "
+			    "the area of %s)", s > 1 ? m->A.name : m->B.name, s > 1 ? s : 1/s,
+			    s > 1 ? m->B.name : m->A.name, m->B.name, m->A.name);
+		return;
+	}
+	detail("%s is multiplied by %.6g", m->B.name, s);
+	scale_channels(&m->b, s);
+	if (m->has_border) {
+		multiply(3*(size_t)m->border[1].n, s, m->border[1].x);
+		multiply((size_t)m->border[1].n + 1, s, m->border[1].s);
+		multiply(3*(size_t)m->match.n, s, m->match.x[1]);
+	}
+}
