@@ -65,7 +65,7 @@ tests: $(TESTBIN) $(FUZZBIN) $(FAULTY)
 define link
 @mkdir -p $(@D)
 $(CXX) $(OPENMP) $(LDFLAGS) $(WRAP) -Wl,-t,-t -o $@ $1 $2 $(LDLIBS) $3 >$@.list
-@grep -q '^($(BUILD)' $@.list || sed -n 's,^$(BUILD)/.*\.o$$,$@: &\n&:,p' $@.list >$@.used
+@grep -q '^($(BUILD)' $@.list || sed -n 's|^$(BUILD)/.*\.o$$|$@: &\n&:|p' $@.list >$@.used
 @rm $@.list
 endef
 LINKED   := $(BIN) $(FAULTY) $(TESTBIN) $(FUZZBIN)
