@@ -24,7 +24,7 @@ int lhg_fail(LhgStream *s, const Lhg *g, int code, const char *fmt, ...);
 /* The same with LHG_EIO and the reason in errno; what is "read" or "write". */
 int lhg_failio(LhgStream *s, const Lhg *g, const char *what);
 
-/* Whether frame and frames of g may come next, section 5.  Returns 0 or LHG_EORDER. */
+/* Checks that frame and frames of g may follow the grid before, section 5.  Returns 0 or LHG_EORDER. */
 int lhg_checkorder(LhgStream *s, const Lhg *g);
 
 /* The CRC that line 4 of the next header repeats. */
@@ -41,7 +41,7 @@ int lhg_goodname(const char *p, size_t n, size_t size, const char *extra);
 /* Whether the n bytes at p are a value or a text by LHG.md 2.3. */
 int lhg_goodtext(const char *p, size_t n);
 
-/* T > 0 as LHG.md 2 spells it, and back; both ignore the locale.  lhg_getheight gives 0
+/* T > 0 in the notation of LHG.md 2, and back; both are independent of the locale.  lhg_getheight gives 0
  * if the text is not a decimal number. */
 enum { LHG_HEIGHTLEN = 40 };
 void   lhg_putheight(char text[LHG_HEIGHTLEN], double T);

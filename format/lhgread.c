@@ -103,8 +103,8 @@ readhead(LhgStream *s, Lhg *g, uint32_t *crc)
 	return 0;
 }
 
-/* Samples as they came, least significant byte first, to numbers, in place.  Returns how
- * many come before the first that is not finite. */
+/* Converts samples, least significant byte first, to numbers in place.  Returns the number of
+ * samples before the first that is not finite. */
 static size_t
 unpack(double *f, size_t n)
 {

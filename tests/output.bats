@@ -264,7 +264,7 @@ faults() {
 		kill -$sig $pid
 		code=0
 		wait $pid || code=$?
-		[ $code = $((128 + $(kill -l $sig))) ]
+		[ $code = $((128 + $(kill -l $sig))) ] || { echo "exit $code after $sig"; false; }
 		[ -z "$(ls -A "$tmp/h")" ]
 	done
 	# what it says goes to a pipe that is closed

@@ -22,7 +22,7 @@ cmd_begin(const char *name, const char *usage)
 	history_begin(name);
 	if (descriptor_fill())
 		_exit(1);
-	signal(SIGXFSZ, SIG_IGN);       /* a file that grows too large is an error of write */
+	signal(SIGXFSZ, SIG_IGN);       /* a file that grows too large makes write() fail */
 	threads_limit();
 }
 

@@ -194,8 +194,8 @@ binface(Off *o)
 }
 
 /* Geomview writes big-endian, with a count of colours after each face; pmp-library and others write
- * little-endian without it.  The byte order is the one whose counts fit the file; the faces are read
- * the way that ends with the file. */
+ * little-endian without it.  The byte order is the one whose counts fit the file; of the two readings
+ * of the faces, the one that ends at the end of the file is taken. */
 static int
 binary(Off *o)
 {

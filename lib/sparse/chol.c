@@ -1,4 +1,4 @@
-/* chol.c - nodes: columns that are eliminated together, and the rows below them. */
+/* chol.c - symbolic factorization: supernodes, columns eliminated together with their rows. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,8 +8,8 @@
 
 enum { FEW = 16 };      /* columns of a node that is small */
 
-/* A node in the making: columns from first on, rows below them, and zeros that are kept
- * with them. */
+/* A supernode under construction: columns from `first`, rows below them, explicit zeros
+ * stored. */
 typedef struct Node {
 	int    first, columns, rows;
 	double zeros;
@@ -25,7 +25,8 @@ merged(const Node *a, const Node *b)
 	return m;
 }
 
-/* Zeros take room and time, but so does every node. */
+/* Merging stores explicit zeros; not merging costs overhead for each node.  Merge while zeros
+ * stay below the given share. */
 static int
 worth(const Node *m)
 {

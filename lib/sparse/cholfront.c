@@ -1,4 +1,4 @@
-/* cholfront.c - what comes into the front of a node, and what goes back down from it. */
+/* cholfront.c - assembly of the front of a node, and back substitution from it. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* etree.c - the tree row by row: climbing it from each entry to what has been seen.
+/* etree.c - the elimination tree, row by row: from each entry up to the first visited column.
  *
  * T. A. Davis, Direct Methods for Sparse Linear Systems (2006), chapter 4.  Time is that
  * of looking at every entry of L once; its skeleton would do, but takes three times the

@@ -19,7 +19,7 @@ typedef struct Etree {
 } Etree;
 
 /* The tree of g eliminated in an order, which becomes a postorder of it: every subtree is
- * a run of columns, its root the last, and the child with the longest column stands next
+ * a run of columns, its root the last, and the child with the longest column is next
  * to its parent.  Returns 0 or ETREE_ENOMEM; t is to be freed in both cases. */
 int  etree_init(Etree *t, const Graph *g, const int *order);
 void etree_free(Etree *t);

@@ -1,4 +1,4 @@
-/* part.c - parting a piece of the graph of a surface in two.
+/* part.c - splitting a piece of a surface graph in two (vertex separator).
  *
  * Where to part: a and b are two vertices as far from each other as breadth-first
  * searches find, c is far from both, d far from c.  The differences of distances in edges

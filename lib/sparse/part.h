@@ -1,4 +1,4 @@
-/* part.h - parting a piece of the graph of a surface in two.  Private to lib/. */
+/* part.h - splitting a piece of a surface graph in two (vertex separator).  Private to lib/. */
 #ifndef PART_H
 #define PART_H
 

@@ -1,4 +1,4 @@
-/* product.c - two inner loops, cut to the registers there are.
+/* product.c - two inner loops, in blocks that fit the registers.
  *
  * The C of a compiler's vectors, not a BLAS: most products of a sparse factor are of
  * a few columns, where calling one takes longer than the product does; OpenBLAS 0.3.21
