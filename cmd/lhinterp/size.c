@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../../lib/base/field.h"
 #include "../shared/chartof.h"
 #include "size.h"
 
@@ -25,15 +26,6 @@ size_of(const Lhg *g)
 	return sqrt(sum*chart_h(c)*chart_k(c));
 }
 
-static void
-multiply(size_t n, double factor, double *x)
-{
-	size_t i;
-
-	for (i = 0; i < n; i++)
-		x[i] *= factor;
-}
-
 /* The channels of g in units of length, times s or 1/s. */
 static void
 scale_channels(Lhg *g, double s)
@@ -42,9 +34,9 @@ scale_channels(Lhg *g, double s)
 
 	for (c = g->chan; c < g->chan + g->nchan; c++)
 		if (strcmp(c->unit, "length") == 0)
-			multiply(c->n, s, c->f);
+			field_scale(c->n, s, c->f, c->f);
 		else if (strcmp(c->unit, "1/length") == 0)
-			multiply(c->n, 1/s, c->f);
+			field_scale(c->n, 1/s, c->f, c->f);
 		else if (strcmp(c->unit, "1") != 0)
 			note("channel %s is in %s and is not scaled", c->name, c->unit);
 }
@@ -64,8 +56,8 @@ size_match(Morph *m, int scaled)
 	detail("%s is multiplied by %.6g", m->B.name, s);
 	scale_channels(&m->b, s);
 	if (m->has_border) {
-		multiply(3*(size_t)m->border[1].n, s, m->border[1].x);
-		multiply((size_t)m->border[1].n + 1, s, m->border[1].s);
-		multiply(3*(size_t)m->match.n, s, m->match.x[1]);
+		field_scale(3*(size_t)m->border[1].n, s, m->border[1].x, m->border[1].x);
+		field_scale((size_t)m->border[1].n + 1, s, m->border[1].s, m->border[1].s);
+		field_scale(3*(size_t)m->match.n, s, m->match.x[1], m->match.x[1]);
 	}
 }
