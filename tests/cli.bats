@@ -73,6 +73,9 @@ setup_file() {
 		run ! grep -q $'\e' "$tmp/err"
 	done
 	try 2 'operand t\?o is one too many' /dev/null grid2lh one $'t\no'
+	# U+009B, alone and as one byte, begins an escape sequence too
+	try 2 'operand \?\?2J\?2J is one too many' /dev/null grid2lh one $'\xc2\x9b2J\x9b2J'
+	try 2 $'operand caf\xc3\xa9-\xc3\xbc-\xe2\x88\x82 is one too many' /dev/null grid2lh one $'caf\xc3\xa9-\xc3\xbc-\xe2\x88\x82'
 }
 
 @test "operands too many or too few exit 2" {

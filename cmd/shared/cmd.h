@@ -16,8 +16,9 @@
 void cmd_begin(const char *name, const char *usage);
 int  cmd_end(void);             /* closes the output; 0, or dies */
 
-/* "name: message" on one line of stderr, control bytes as '?'.  die exits 1; misuse exits 2 and refers
- * to --help.  note prints nothing under -q, detail only under -v. */
+/* "name: message" on one line of stderr, with '?' for each byte of control characters and each byte that is
+ * not UTF-8.  die exits 1; misuse exits 2 and refers to --help.  note prints nothing under -q, detail only
+ * under -v. */
 _Noreturn void die(const char *fmt, ...);
 _Noreturn void misuse(const char *fmt, ...);
 void note(const char *fmt, ...);

@@ -2,6 +2,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -28,18 +29,28 @@ message_verbosity(int verbose)
 	message.verbose = verbose;
 }
 
-/* "name: text tail" on one line.  Control bytes of a file or an argument must not reach the terminal. */
+/* "name: text".  Control characters and bytes that are not UTF-8, from a file or an argument, must not reach
+ * the terminal. */
+static void
+print_safely(const char *fmt, va_list ap)
+{
+	char text[1024], *s;
+	size_t len;
+
+	vsnprintf(text, sizeof text, fmt, ap);
+	for (s = text; *s; s += len ? len : 1)
+		if (!(len = lhg_utf8(s, strlen(s))))
+			*s = '?';
+	fprintf(stderr, "%s: %s", message.name, text);
+}
+
+/* "name: text tail" on one line. */
 static void
 print_line(const char *fmt, va_list ap, const char *tail)
 {
-	char line[1024], *s;
-
 	cmd_progress_end();
-	vsnprintf(line, sizeof line, fmt, ap);
-	for (s = line; *s; s++)
-		if ((unsigned char)*s < ' ' || *s == 0x7f)
-			*s = '?';
-	fprintf(stderr, "%s: %s%s\n", message.name, line, tail);
+	print_safely(fmt, ap);
+	fprintf(stderr, "%s\n", tail);
 }
 
 void
@@ -99,9 +110,9 @@ cmd_progress(const char *fmt, ...)
 	clock_gettime(CLOCK_MONOTONIC, &now);
 	if (message.verbose < 0 || now.tv_sec - message.began.tv_sec < 1 || !isatty(STDERR_FILENO))
 		return;
-	fprintf(stderr, "\r%s: ", message.name);
+	putc('\r', stderr);
 	va_start(ap, fmt);
-	vfprintf(stderr, fmt, ap);
+	print_safely(fmt, ap);
 	va_end(ap);
 	fputs("\033[K", stderr);
 	message.progress = 1;
