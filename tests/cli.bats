@@ -249,16 +249,19 @@ setting() {
 }
 
 @test "the history is text that a shell runs again: quotes, controls, dashes, the version" {
-	local f odd
+	local odd shell
 	mkdir "$tmp/odd"
 	cd "$tmp/odd"
-	for odd in "it's.off" 'a b' '$HOME`x`\.off' $'new\nline\t\e.off' $'caf\xc3\xa9 \xff\x85\'\\' '-n.off' '~' '#'; do
+	for odd in "it's.off" 'a b' '$HOME`x`\.off' $'new\nline\t\e.off' $'caf\xc3\xa9 \xff\x85\'\\' $'-%d\\c\e!\n\n' $'\n' \
+	    '-n.off' '~' '#'; do
 		cp "$tmp/cap.off" "./$odd"
 		mesh2rect -q -n 8 -- "$odd" >first
 		grep -a '^history ' first | cut -c 9- >step
 		grep -q '  # lhgrid [0-9.]*$' step
 		[ "$(wc -l <step)" = 1 ]
-		bash step | cmp first
+		for shell in bash dash; do
+			$shell step | cmp first
+		done
 		[ "${odd:0:1}" != - ] || grep -q -- ' -- ' step
 	done
 	mesh2rect -q -n 8 "it's.off" | sed -n 's/^history //p' >step

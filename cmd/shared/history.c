@@ -40,8 +40,9 @@ history_none(void)
 	step.none = 1;
 }
 
-/* value in the quotes that a shell needs, in out, of 4 bytes for each of value's and 4 more.  Control
- * characters and bytes that are not UTF-8 are written \ooo in $'..'. */
+/* value in the quotes that a shell needs, in out, of 9 bytes for each of value's and 17 more.  Control
+ * characters and bytes that are not UTF-8 are escapes of printf %b.  LFs at the end, which "$(..)" would drop, come
+ * from IFS, " \t\n" when a shell starts. */
 static void
 quote(const char *value, char *out)
 {
@@ -55,21 +56,27 @@ quote(const char *value, char *out)
 		strcpy(out, value);
 		return;
 	}
-	out += sprintf(out, escaped ? "$'" : "'");
+	while (n && value[n-1] == '\n')
+		n--;
+	out += sprintf(out, escaped ? "\"$(printf %%b '" : "'");
 	for (i = 0; i < n; i += len ? len : 1)
-		if (!(len = lhg_utf8(value + i, n - i)))
-			out += sprintf(out, "\\%03o", (unsigned char)value[i]);
-		else if (value[i] == '\'' || (escaped && value[i] == '\\'))
-			out += sprintf(out, escaped ? "\\%c" : "'\\%c'", value[i]);
+		if (!(len = lhg_utf8(value + i, n - i)) || (escaped && strchr("'\\!", value[i])))
+			out += sprintf(out, "\\0%03o", (unsigned char)value[i]);
+		else if (value[i] == '\'')
+			out += sprintf(out, "'\\''");
 		else
 			out += sprintf(out, "%.*s", (int)len, value + i);
-	strcpy(out, "'");
+	out += sprintf(out, escaped ? "')" : "'");
+	for (; value[n]; n++)
+		out += sprintf(out, "${IFS#??}");
+	if (escaped)
+		strcpy(out, "\"");
 }
 
 void
 history_word(const char *dashes, const char *word, const char *equals, const char *value)
 {
-	char *quoted = cmd_alloc(strlen(value) + 1, 4);
+	char *quoted = cmd_alloc(strlen(value) + 2, 9);
 	size_t n = strlen(step.text), room = STEP - strlen(CUT) - strlen(END) - n;
 
 	quoted[0] = '\0';
