@@ -35,7 +35,7 @@ setup_file() {
 	try 2 'need a whole number in \[4,32767\]'  /dev/null mesh2rect -n 16x
 	try 2 'need a whole number in \[4,32767\]'  /dev/null mesh2rect -n 16x16x16
 	try 2 'need a whole number in \[2,4096\]'   /dev/null grid2lh --lattice=1
-	try 2 'not one of its words'                /dev/null grid2lh --mean-curvature=gauss
+	try 2 'curvature=gauss: need normal or magnitude' /dev/null grid2lh --mean-curvature=gauss
 	try 2 'need a number in \[0,'               /dev/null lhfft -K -1
 	try 2 'need a number in \[0,'               /dev/null lhfft -K 2x
 	try 2 'need a number in \[0,'               /dev/null lhfft -K nan
@@ -57,7 +57,7 @@ setup_file() {
 	try 2 'the grid goes there'                 /dev/null lhfft -K 1 --spectrum=-
 	try 2 'the grid goes there'                 /dev/null lhfft --spectrum="$tmp/x" -K 1 -o "$tmp/x"
 	try 2 'need exactly'                        /dev/null lhfft --spectrum="$tmp/x"
-	try 2 'not one of its words'                /dev/null lhfft -K 1 --basis=fft
+	try 2 'basis=fft: need dct or dft'          /dev/null lhfft -K 1 --basis=fft
 	try 2 'need a number in \[0,1\]'            /dev/null lhinterp -t 1.5 a b
 	try 2 'need either'                         /dev/null lhinterp a b
 	try 2 'need either'                         /dev/null lhinterp -t 0.5 -n 3 a b

@@ -141,13 +141,19 @@ opt_long(const char *s, long lo, long hi, const char *option)
 int
 opt_word(const char *s, const char *words, const char *option)
 {
-	const char *w;
+	char list[128] = "";
+	const char *w, *next;
 	int i;
 
 	for (w = words, i = 0; *w; w += strlen(w) + 1, i++)
 		if (strcmp(s, w) == 0)
 			return i;
-	misuse("--%s=%s: not one of its words", option, s);
+	for (w = words; *w; w = next) {
+		next = w + strlen(w) + 1;
+		snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s",
+		    w == words ? "" : *next ? ", " : " or ", w);
+	}
+	misuse("--%s=%s: need %s", option, s, list);
 }
 
 void *

@@ -59,7 +59,7 @@ int cmd_operands(int argc, char *argv[], int min, int max);
 double opt_double(const char *s, double lo, double hi, const char *option);
 long   opt_long(const char *s, long lo, long hi, const char *option);
 
-/* The index of s in a list of words, each ended by NUL, the list by one more; or exit 2. */
+/* The index of s in a list of words, each ended by NUL, the list by one more; or exit 2 with the list. */
 int    opt_word(const char *s, const char *words, const char *option);
 
 /* The FILE of -o, NULL for stdout. */
