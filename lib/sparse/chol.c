@@ -1,4 +1,4 @@
-/* chol.c - symbolic factorization: supernodes, columns eliminated together with their rows. */
+/* chol.c - symbolic factorization: which columns form a supernode, and its rows. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -6,7 +6,7 @@
 #include "etree.h"
 #include "front.h"
 
-enum { FEW = 16 };      /* columns of a node that is small */
+enum { FEW = 16 };      /* most columns of a small node */
 
 /* A supernode under construction: columns from `first`, rows below them, explicit zeros
  * stored. */
@@ -15,9 +15,9 @@ typedef struct Node {
 	double zeros;
 } Node;
 
-/* The node of a and b, which follows it and has its first row below. */
+/* Node a joined with b, its parent, whose columns come directly after its own. */
 static Node
-merged(const Node *a, const Node *b)
+merge(const Node *a, const Node *b)
 {
 	Node m = { a->first, a->columns + b->columns, b->rows, 0 };
 
@@ -28,14 +28,14 @@ merged(const Node *a, const Node *b)
 /* Merging stores explicit zeros; not merging costs overhead for each node.  Merge while zeros
  * stay below the given share. */
 static int
-worth(const Node *m)
+worth_merging(const Node *m)
 {
 	double all = m->columns*((m->columns + 1)/2.0 + m->rows);
 
 	return m->zeros <= (m->columns <= FEW ? 0.35 : 0.03)*all;
 }
 
-/* Nodes from below; returns how many. */
+/* Finds the nodes, children before parents.  Returns their number. */
 static int
 find_nodes(const Etree *t, Node *node)
 {
@@ -48,8 +48,8 @@ find_nodes(const Etree *t, Node *node)
 			last = node[n-1].first - 1;
 			if (t->parent[last] < 0 || t->parent[last] > p)
 				break;
-			m = merged(&node[n-2], &node[n-1]);
-			if (!worth(&m))
+			m = merge(&node[n-2], &node[n-1]);
+			if (!worth_merging(&m))
 				break;
 			node[--n - 1] = m;
 		}
@@ -58,7 +58,7 @@ find_nodes(const Etree *t, Node *node)
 }
 
 static int
-keep_nodes(Chol *c, const Node *node, int nodes)
+store_nodes(Chol *c, const Node *node, int nodes)
 {
 	size_t rows = 0, at = 0;
 	int s;
@@ -85,8 +85,9 @@ keep_nodes(Chol *c, const Node *node, int nodes)
 	return 0;
 }
 
-/* The rows below each node, from row to row; mark and node are [n] scratch: the last row
- * a node was given, and the node of each column. */
+/* The rows below each node, in rising order: every entry of row p adds p to its node and the nodes
+ * above, up to the node of p.  mark and node are [n] scratch: the last row added to a node, and
+ * the node of each column.  end[s] is where the rows of node s end so far. */
 static void
 find_rows(Chol *c, const Etree *t, int *mark, int *node, size_t *end)
 {
@@ -111,7 +112,7 @@ find_rows(Chol *c, const Etree *t, int *mark, int *node, size_t *end)
 }
 
 static int
-rows(Chol *c, Etree *t)
+init_rows(Chol *c, Etree *t)
 {
 	size_t *end = malloc((c->nodes + (size_t)1)*sizeof *end);
 
@@ -134,9 +135,9 @@ analyze(Chol *c, Etree *t)
 
 	if (!(node = malloc((c->n + (size_t)1)*sizeof *node)))
 		return CHOL_ENOMEM;
-	e = keep_nodes(c, node, find_nodes(t, node));
+	e = store_nodes(c, node, find_nodes(t, node));
 	free(node);
-	return e ? e : rows(c, t);
+	return e ? e : init_rows(c, t);
 }
 
 int

@@ -1,8 +1,8 @@
-/* chol.h - sparse Cholesky: systems that share the graph of their matrix and the order of
- * elimination, solved one after the other.
+/* chol.h - sparse Cholesky, for a series of systems whose matrices share one graph and one order
+ * of elimination.
  *
- * A torus patch of 1 M vertices in the order of order.h has 50 M entries, 21 gigaflops;
- * kept are 66 M numbers. */
+ * For a torus patch of 1 M vertices, in the order of order.h, the factor has 50 M entries and takes
+ * 21 gigaflops; 66 M numbers are stored, with explicit zeros and padding. */
 #ifndef CHOL_H
 #define CHOL_H
 
@@ -15,10 +15,10 @@ enum {
 	CHOL_EINDEFINITE = -2
 };
 
-/* What the graph and the order decide.  Columns are those of the factor, postordered;
- * neighbouring ones of about the same rows are kept together, as nodes.  Node s has
- * columns first[s] .. first[s+1]-1 and the rows row[below[s]] .. row[below[s+1]-1], rising,
- * below them. */
+/* The structure of the factor, which depends on the graph and the order only, and memory for its
+ * numbers.  Columns are in postorder; neighbouring ones with nearly the same rows form a node.
+ * Node s has the columns first[s] .. first[s+1]-1, and below them the rows row[below[s]] ..
+ * row[below[s+1]-1], in rising order. */
 typedef struct Chol {
 	const Graph *g;
 	int     n, nodes;
@@ -27,30 +27,30 @@ typedef struct Chol {
 	int    *parent;         /* [nodes] the node of the first row below, -1 if there is none */
 	size_t *below;          /* [nodes+1] */
 	int    *row;
-	size_t *at;             /* [nodes+1] the node's panel in value */
+	size_t *at;             /* [nodes+1] where the node's panel begins in value */
 	double *value;
 } Chol;
 
 /* order   in   [g->n] a fill-reducing order, order[0] eliminated first
  *
- * g must live as long as c.  Returns 0 or CHOL_ENOMEM; c is to be freed in both
- * cases, and chol_bytes(c) says what the factor takes, 0 if that is not known yet. */
+ * g must live as long as c.  Returns 0 or CHOL_ENOMEM; c must be freed in both cases.
+ * chol_bytes(c) is the size of the factor in bytes, 0 if that is not known yet. */
 int  chol_init(Chol *c, const Graph *g, const int *order);
 void chol_free(Chol *c);
 
 double chol_bytes(const Chol *c);
 
-/* A matrix on the graph: diagonal[i] and off[k] for the neighbour g->adj[k], the same
- * at both ends of an edge.  Where held[i] is not 0, the row and the column of vertex i are
- * those of the identity; held may be NULL. */
+/* A matrix on the graph: diagonal[i], and off[k] for the edge to the neighbour g->adj[k], equal at
+ * both ends of an edge.  Where held[i] is not 0, the row and the column of vertex i are those of
+ * the identity; held may be NULL. */
 typedef struct CholMatrix {
 	const double *diagonal, *off;
 	const unsigned char *held;
 } CholMatrix;
 
-/* Solve A x = b; b is in x.  Any number of threads, the same bits.  Returns 0,
- * CHOL_ENOMEM, or CHOL_EINDEFINITE: A is not positive definite, *at is the first vertex
- * in the order of elimination to show it. */
+/* Solves A x = b; x holds b on entry.  The result has the same bits for any number of threads.
+ * Returns 0, CHOL_ENOMEM, or CHOL_EINDEFINITE: A is not positive definite, *at is the first vertex,
+ * in the order of elimination, whose pivot is not positive. */
 int  chol_solve(Chol *c, const CholMatrix *a, double *x, int *at);
 
 #endif

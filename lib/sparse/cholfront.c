@@ -1,4 +1,4 @@
-/* cholfront.c - assembly of the front of a node, and back substitution from it. */
+/* cholfront.c - assembly of the front of a node, and back substitution with it. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,9 +14,9 @@ chol_front(const Chol *c, int s)
 	return f;
 }
 
-/* Where row p of the factor stands among n rows, in which it is. */
+/* The index of row p of the factor in the list row[n], which contains it. */
 static int
-find(const int *row, int n, int p)
+find_row(const int *row, int n, int p)
 {
 	int low = 0, middle;
 
@@ -35,7 +35,7 @@ panel_row(const Front *f, int i)
 	return f->panel + front_panel(f, i/PRODUCT_ROWS) + i%PRODUCT_ROWS;
 }
 
-/* The first place of row r below the columns. */
+/* Row r below the columns, at column 0. */
 static inline double *
 below_row(const Front *f, int r)
 {
@@ -48,9 +48,9 @@ update_row(const Front *f, int r)
 	return f->update + front_update(r/PRODUCT_ROWS) + r%PRODUCT_ROWS;
 }
 
-/* Column k of the front of node s, from the matrix. */
+/* Fills column k of the front of node s from the matrix and b. */
 static void
-enter(const Chol *c, const CholMatrix *a, const double *b, int s, const Front *f, int k)
+fill_column(const Chol *c, const CholMatrix *a, const double *b, int s, const Front *f, int k)
 {
 	const unsigned char *held = a->held;
 	const int *row = c->row + c->below[s];
@@ -65,24 +65,24 @@ enter(const Chol *c, const CholMatrix *a, const double *b, int s, const Front *f
 		if (q < c->first[s+1])
 			panel_row(f, q - c->first[s])[PRODUCT_ROWS*k] = a->off[e];
 		else
-			below_row(f, find(row, f->rows - 1, q))[PRODUCT_ROWS*k] = a->off[e];
+			below_row(f, find_row(row, f->rows - 1, q))[PRODUCT_ROWS*k] = a->off[e];
 	}
 }
 
 void
-chol_enter(const Chol *c, const CholMatrix *a, const double *b, int s, const Front *f)
+chol_fill_panel(const Chol *c, const CholMatrix *a, const double *b, int s, const Front *f)
 {
 	int k;
 
 	memset(f->panel, 0, front_panel(f, f->blocks)*sizeof *f->panel);
 	for (k = 0; k < f->columns; k++)
-		enter(c, a, b, s, f, k);
+		fill_column(c, a, b, s, f, k);
 }
 
-/* Rows of a child in its parent's front f: to[i] says where row i of the child's update
- * goes, counted from the parent's first column or, less than 0, as -1 - (row below). */
+/* Maps the rows of a child's update to those of its parent s, whose front is f.  Row i goes to the
+ * row of column to[i] of the parent or, if to[i] < 0, to row -1 - to[i] below its columns. */
 static void
-match(const Chol *c, int child, int s, const Front *f, int *to)
+map_rows(const Chol *c, int child, int s, const Front *f, int *to)
 {
 	const int *row = c->row + c->below[child], *mine = c->row + c->below[s];
 	int n = chol_rows(c, child), i, k = 0;
@@ -99,7 +99,8 @@ match(const Chol *c, int child, int s, const Front *f, int *to)
 	to[n] = -f->rows;
 }
 
-/* Eight rows of a child's update, columns j .. end-1, added to rows of the parent's. */
+/* Adds columns j .. end-1 of up to eight rows of a child's update, from row `first` on, to the rows
+ * `row` of its parent. */
 static inline void
 scatter(double *const row[], int rows, const double *from, const int *to, int j, int end, int first)
 {
@@ -114,10 +115,10 @@ scatter(double *const row[], int rows, const double *from, const int *to, int j,
 	}
 }
 
-/* The update of a child, of n rows, to where `to` says; `here` of its rows are columns of
- * the parent. */
+/* Adds a child's update of n rows to front f, its rows mapped by `to`; the first `here` of them
+ * are columns of f. */
 static void
-add_child(const Front *f, const double *update, const int *to, int n, int here)
+add_update(const Front *f, const double *update, const int *to, int n, int here)
 {
 	double *row[PRODUCT_ROWS];
 	int first, i, rows, end;
@@ -140,23 +141,23 @@ add_child(const Front *f, const double *update, const int *to, int n, int here)
 }
 
 int
-chol_add(const Chol *c, int child, const double *update, int s, const Front *f)
+chol_add_child(const Chol *c, int child, const double *update, int s, const Front *f)
 {
 	int n = chol_rows(c, child) + 1, here = 0, *to = malloc(n*sizeof *to);
 
 	if (!to)
 		return CHOL_ENOMEM;
-	match(c, child, s, f, to);
+	map_rows(c, child, s, f, to);
 	while (to[here] >= 0)
 		here++;
-	add_child(f, update, to, n, here);
+	add_update(f, update, to, n, here);
 	free(to);
 	return 0;
 }
 
-/* sum += a x for the n columns of a row block, each of its rows by itself. */
+/* sum(i,k) += a(i,k) x(i) for the eight rows i and n columns k of a row block a. */
 static void
-gather(double *sum, const double *a, const double x[PRODUCT_ROWS], int n)
+add_products(double *sum, const double *a, const double x[PRODUCT_ROWS], int n)
 {
 	int i, k;
 
@@ -165,8 +166,8 @@ gather(double *sum, const double *a, const double x[PRODUCT_ROWS], int n)
 			sum[i] += a[i]*x[i];
 }
 
-/* The solution L'x = sum of the columns of row block J, into z; those from block J+1 on
- * have been taken. */
+/* Back substitution at the columns of row block J, into z.  sum has the terms of all rows after
+ * them; the terms of row block J are added to the sums of the columns before. */
 static void
 solve_block(const Front *f, int J, double *sum, double *z)
 {
@@ -183,7 +184,7 @@ solve_block(const Front *f, int J, double *sum, double *z)
 			y -= column[i]*x[i];
 		z[PRODUCT_ROWS*J + k] = x[k] = y/column[k];
 	}
-	gather(sum, a, x, PRODUCT_ROWS*J);
+	add_products(sum, a, x, PRODUCT_ROWS*J);
 }
 
 void
@@ -198,7 +199,7 @@ chol_substitute(const Chol *c, int s, double *z, double *sum)
 	for (I = f.pivots; I < f.blocks; I++, row += PRODUCT_ROWS, n -= PRODUCT_ROWS) {
 		for (i = 0; i < PRODUCT_ROWS; i++)
 			x[i] = i < n ? z[row[i]] : i == n ? -1 : 0;
-		gather(sum, f.panel + front_panel(&f, I), x, f.columns);
+		add_products(sum, f.panel + front_panel(&f, I), x, f.columns);
 	}
 	for (I = f.pivots - 1; I >= 0; I--)
 		solve_block(&f, I, sum, z + c->first[s]);

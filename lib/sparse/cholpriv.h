@@ -1,4 +1,4 @@
-/* cholpriv.h - the fronts of chol.h, one by one.  Private to lib/.
+/* cholpriv.h - the front of one node of chol.h: assembly and back substitution.  Private to lib/.
  *
  * The right-hand side is the last row of every front: its part of the panel becomes L^-1 b.
  */
@@ -8,7 +8,7 @@
 #include "chol.h"
 #include "front.h"
 
-/* Rows below node s, without the right-hand side. */
+/* Number of rows below node s, without the right-hand side. */
 static inline int
 chol_rows(const Chol *c, int s)
 {
@@ -18,14 +18,14 @@ chol_rows(const Chol *c, int s)
 /* The front of node s; its update is NULL. */
 Front chol_front(const Chol *c, int s);
 
-/* The panel gets the columns of the matrix and of the right-hand side b, [n] by vertex. */
-void chol_enter(const Chol *c, const CholMatrix *a, const double *b, int s, const Front *f);
+/* Fills the panel from the columns of the matrix and, in the last row, from b, [n] by vertex. */
+void chol_fill_panel(const Chol *c, const CholMatrix *a, const double *b, int s, const Front *f);
 
-/* The front gets the update of a child.  Returns 0 or CHOL_ENOMEM. */
-int  chol_add(const Chol *c, int child, const double *update, int s, const Front *f);
+/* Adds the update of a child to the front.  Returns 0 or CHOL_ENOMEM. */
+int  chol_add_child(const Chol *c, int child, const double *update, int s, const Front *f);
 
-/* The solution z, [n] by column, at the columns of node s, from that at the rows below.
- * sum is scratch, eight numbers a column. */
+/* Back substitution: the solution z, [n] by column, at the columns of node s, from its values at
+ * the rows below.  sum is scratch, eight numbers for each column of the node. */
 void chol_substitute(const Chol *c, int s, double *z, double *sum);
 
 #endif

@@ -1,11 +1,11 @@
-/* cholsolve.c - the factor and the solution, front by front.
+/* cholsolve.c - multifrontal factorization, and back substitution.
  *
- * Multifrontal: the front of a node adds up the entries of its columns and the updates of
- * its children, eliminates its columns and leaves an update to its parent.
+ * The front of a node is the sum of the matrix entries of its columns and of the updates of its
+ * children.  Eliminating its columns leaves an update for its parent.
  *
- * Subtrees of little work are one thread's each, the rest of the tree is climbed by whoever
- * completes the last child of a node.  Each front adds its children in their order, so that
- * neither threads nor the cut can be seen in the result.
+ * Each subtree with little work is done by one thread.  A node above the subtrees is done by the
+ * thread that completes its last child.  Each front adds the updates of its children in a fixed
+ * order, so the result depends neither on the threads nor on the choice of subtrees.
  *
  * J. W. H. Liu, The multifrontal method for sparse matrix solution, SIAM Review 34 (1992).
  */
@@ -15,17 +15,17 @@
 
 #include "cholpriv.h"
 
-enum { SUBTREES = 256 };        /* about so many, of equal work */
+enum { SUBTREES = 256 };        /* a subtree has at most one part in so many of the work */
 
 typedef struct Run {
 	const Chol       *c;
 	const CholMatrix *a;
 	double           *x;            /* [n] by vertex */
-	double          **update;       /* [nodes] of those that wait for their parent */
-	int              *child, *sibling;      /* [nodes] the first and the next, rising; -1 */
-	int              *waits;        /* [nodes] children that are not done; -1 in a subtree */
-	int              *root;         /* [nodes] the subtrees: first[root] .. root */
-	int              *begin;        /* [nodes] the first node of each of them */
+	double          **update;       /* [nodes] of each node until its parent is done, then NULL */
+	int              *child, *sibling;      /* [nodes] first child, next sibling; -1: none */
+	int              *pending;      /* [nodes] children that are not done; -1 in a subtree */
+	int              *root;         /* [roots] of the subtrees, nodes begin[root] .. root */
+	int              *begin;        /* [nodes] the first node of the subtree of each node */
 	int               roots, nomemory, bad;
 } Run;
 
@@ -35,7 +35,7 @@ add_children(Run *r, int s, const Front *f)
 	int k;
 
 	for (k = r->child[s]; k >= 0; k = r->sibling[k]) {
-		if (!r->update[k] || chol_add(r->c, k, r->update[k], s, f))
+		if (!r->update[k] || chol_add_child(r->c, k, r->update[k], s, f))
 			return CHOL_ENOMEM;
 		free(r->update[k]);
 		r->update[k] = NULL;
@@ -43,7 +43,7 @@ add_children(Run *r, int s, const Front *f)
 	return 0;
 }
 
-/* The part of node s in the factor. */
+/* Computes the columns of node s of the factor, and its update. */
 static void
 eliminate(Run *r, int s)
 {
@@ -51,7 +51,7 @@ eliminate(Run *r, int s)
 	int bad;
 
 	f.update = calloc(front_update(f.blocks - f.pivots), sizeof *f.update);
-	chol_enter(r->c, r->a, r->x, s, &f);
+	chol_fill_panel(r->c, r->a, r->x, s, &f);
 	if (!f.update || add_children(r, s, &f)) {
 		free(f.update);
 #pragma omp atomic write
@@ -67,7 +67,7 @@ eliminate(Run *r, int s)
 	r->update[s] = f.update;
 }
 
-/* Node s is done; go on with its parent if it is the last child. */
+/* Called when node s is done: goes on with its parent if s was the last child, and so on up. */
 static void
 climb(Run *r, int s)
 {
@@ -75,7 +75,7 @@ climb(Run *r, int s)
 
 	while ((s = r->c->parent[s]) >= 0) {
 #pragma omp atomic capture seq_cst
-		left = --r->waits[s];
+		left = --r->pending[s];
 		if (left > 0)
 			return;
 		eliminate(r, s);
@@ -95,7 +95,8 @@ factor(Run *r)
 	}
 }
 
-/* From the top of the tree, then all its subtrees.  sum is room for each thread. */
+/* Back substitution: first at the nodes above the subtrees, from the top down, then in the
+ * subtrees.  Each thread has its own sum. */
 static int
 substitute_all(const Run *r, double *z)
 {
@@ -115,7 +116,7 @@ substitute_all(const Run *r, double *z)
 #pragma omp barrier
 #pragma omp single
 		for (s = c->nodes - 1; s >= 0 && !nomemory; s--)
-			if (r->waits[s] >= 0)
+			if (r->pending[s] >= 0)
 				chol_substitute(c, s, z, sum);
 #pragma omp for schedule(dynamic, 1)
 		for (i = 0; i < r->roots; i++)
@@ -126,7 +127,8 @@ substitute_all(const Run *r, double *z)
 	return nomemory ? CHOL_ENOMEM : 0;
 }
 
-/* Multiplications of each subtree, and for each node that is looked at. */
+/* Work of the subtree of each node: multiplications, and 1000 a node for overhead.  Entry [nodes] is
+ * the total. */
 static double *
 count_work(const Chol *c)
 {
@@ -142,7 +144,7 @@ count_work(const Chol *c)
 	return work;
 }
 
-/* Children of each node, and where its subtree begins. */
+/* Sets child, sibling and begin. */
 static void
 link_children(Run *r)
 {
@@ -163,10 +165,9 @@ link_children(Run *r)
 		}
 }
 
-/* The subtrees: the largest that take no more than their share of the work, and leaves
- * that do. */
+/* The subtrees: the largest ones within their share of the work, and single leaves above it. */
 static int
-cut(Run *r)
+choose_subtrees(Run *r)
 {
 	const Chol *c = r->c;
 	double *work = count_work(c), share;
@@ -178,19 +179,19 @@ cut(Run *r)
 	share = work[c->nodes]/SUBTREES;
 	for (s = 0; s < c->nodes; s++) {
 		p = c->parent[s];
-		r->waits[s] = work[s] > share && r->child[s] >= 0 ? 0 : -1;
-		if (r->waits[s] < 0 && (p < 0 || work[p] > share))
+		r->pending[s] = work[s] > share && r->child[s] >= 0 ? 0 : -1;
+		if (r->pending[s] < 0 && (p < 0 || work[p] > share))
 			r->root[r->roots++] = s;
 	}
 	for (s = 0; s < c->nodes; s++)
-		if ((p = c->parent[s]) >= 0 && r->waits[p] >= 0)
-			r->waits[p]++;
+		if ((p = c->parent[s]) >= 0 && r->pending[p] >= 0)
+			r->pending[p]++;
 	free(work);
 	return 0;
 }
 
 static int
-run_alloc(Run *r)
+run_init(Run *r)
 {
 	size_t n = r->c->nodes + (size_t)1;
 	int *room = malloc(5*n*sizeof *room);
@@ -200,10 +201,10 @@ run_alloc(Run *r)
 	if (!room || !r->update)
 		return CHOL_ENOMEM;
 	r->sibling = room + n;
-	r->waits = room + 2*n;
+	r->pending = room + 2*n;
 	r->root = room + 3*n;
 	r->begin = room + 4*n;
-	return cut(r);
+	return choose_subtrees(r);
 }
 
 static void
@@ -222,7 +223,7 @@ chol_solve(Chol *c, const CholMatrix *a, double *x, int *at)
 {
 	Run r = { .c = c, .a = a, .x = x, .bad = INT_MAX };
 	double *z = malloc((c->n + (size_t)1)*sizeof *z);
-	int p, e = z ? run_alloc(&r) : CHOL_ENOMEM;
+	int p, e = z ? run_init(&r) : CHOL_ENOMEM;
 
 	if (!e) {
 		factor(&r);

@@ -1,7 +1,7 @@
 /* dissect.c - nested dissection of a rectangle. */
 #include "dissect.h"
 
-enum { LEAF = 8 };      /* nodes; below, no line is worth the parting */
+enum { LEAF = 8 };      /* largest number of nodes that is not divided further */
 
 typedef struct Dissection {
 	int  nu, fields;
@@ -9,7 +9,7 @@ typedef struct Dissection {
 } Dissection;
 
 static void
-emit(Dissection *d, int i0, int i1, int j0, int j1)
+append(Dissection *d, int i0, int i1, int j0, int j1)
 {
 	int i, j, f;
 
@@ -19,23 +19,24 @@ emit(Dissection *d, int i0, int i1, int j0, int j1)
 				*d->next++ = (j*d->nu + i)*d->fields + f;
 }
 
+/* Orders the nodes i0 <= i < i1, j0 <= j < j1. */
 static void
-part(Dissection *d, int i0, int i1, int j0, int j1)
+order_rectangle(Dissection *d, int i0, int i1, int j0, int j1)
 {
 	int mid;
 
 	if ((i1 - i0)*(j1 - j0) <= LEAF || i1 - i0 < 3 || j1 - j0 < 3)
-		emit(d, i0, i1, j0, j1);
+		append(d, i0, i1, j0, j1);
 	else if (i1 - i0 >= j1 - j0) {
 		mid = i0 + (i1 - i0)/2;
-		part(d, i0, mid, j0, j1);
-		part(d, mid + 1, i1, j0, j1);
-		emit(d, mid, mid + 1, j0, j1);
+		order_rectangle(d, i0, mid, j0, j1);
+		order_rectangle(d, mid + 1, i1, j0, j1);
+		append(d, mid, mid + 1, j0, j1);
 	} else {
 		mid = j0 + (j1 - j0)/2;
-		part(d, i0, i1, j0, mid);
-		part(d, i0, i1, mid + 1, j1);
-		emit(d, i0, i1, mid, mid + 1);
+		order_rectangle(d, i0, i1, j0, mid);
+		order_rectangle(d, i0, i1, mid + 1, j1);
+		append(d, i0, i1, mid, mid + 1);
 	}
 }
 
@@ -44,5 +45,5 @@ dissect(int nu, int nv, int fields, int *order)
 {
 	Dissection d = { nu, fields, order };
 
-	part(&d, 0, nu, 0, nv);
+	order_rectangle(&d, 0, nu, 0, nv);
 }

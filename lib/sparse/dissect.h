@@ -1,11 +1,11 @@
-/* dissect.h - nested dissection of a rectangle of nodes whose neighbours are the eight
- * around each: the fill-reducing order of its sparse systems, without a graph. */
+/* dissect.h - nested dissection of a rectangular grid: a fill-reducing order for sparse systems
+ * that couple each node to the eight around it.  No graph is needed. */
 #ifndef DISSECT_H
 #define DISSECT_H
 
 /* order[0 .. nu*nv*fields-1]: unknowns (j*nu + i)*fields + f in the order in which to
- * eliminate them.  A line of nodes across the longer side comes after the two halves it
- * parts. */
+ * eliminate them.  A line of nodes across the longer side comes after the two halves that it
+ * separates. */
 void dissect(int nu, int nv, int fields, int *order);
 
 #endif

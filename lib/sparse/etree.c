@@ -1,8 +1,8 @@
-/* etree.c - the elimination tree, row by row: from each entry up to the first visited column.
+/* etree.c - the elimination tree, row by row: each entry climbs to the first column visited before.
  *
- * T. A. Davis, Direct Methods for Sparse Linear Systems (2006), chapter 4.  Time is that
- * of looking at every entry of L once; its skeleton would do, but takes three times the
- * lines, and this is a tenth of the time that the factor takes.
+ * T. A. Davis, Direct Methods for Sparse Linear Systems (2006), chapter 4.  Every entry of L is
+ * visited once.  The skeleton of L would suffice, but that code is three times as long, and this
+ * takes a tenth of the time of the factorization.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -73,36 +73,37 @@ find_parents(Etree *t)
 	}
 }
 
-/* to[p] becomes the place of column p in a postorder in which the child with the longest
- * column stands next to its parent.  heir, size, end are [n+1] scratch, of column n: what is
- * above all. */
+/* Sets to[p], the place of column p in a postorder where the child with the longest column comes
+ * directly before its parent.  Scratch, [n+1] with the root of all trees as column n: longest[p] is
+ * that child, size[p] counts the columns of the subtree of p, and the subtree of the next other
+ * child of p ends before end[p]. */
 static void
-postorder(const Etree *t, int *to, int *heir, int *size, int *end)
+postorder(const Etree *t, int *to, int *longest, int *size, int *end)
 {
 	int p, q;
 
-	memset(heir, -1, (t->n + 1)*sizeof *heir);
+	memset(longest, -1, (t->n + 1)*sizeof *longest);
 	for (p = 0; p <= t->n; p++)
 		size[p] = 1;
 	for (p = 0; p < t->n; p++) {
 		q = t->parent[p] < 0 ? t->n : t->parent[p];
 		size[q] += size[p];
-		if (heir[q] < 0 || t->count[p] >= t->count[heir[q]])
-			heir[q] = p;
+		if (longest[q] < 0 || t->count[p] >= t->count[longest[q]])
+			longest[q] = p;
 	}
 	to[t->n] = t->n;
 	for (p = t->n; p >= 0; p--) {
 		if (p < t->n) {
 			q = t->parent[p] < 0 ? t->n : t->parent[p];
-			to[p] = (heir[q] == p ? to[q] : end[q]) - 1;
-			if (heir[q] != p)
+			to[p] = (longest[q] == p ? to[q] : end[q]) - 1;
+			if (longest[q] != p)
 				end[q] -= size[p];
 		}
-		end[p] = heir[p] < 0 ? to[p] : to[p] - size[heir[p]];
+		end[p] = longest[p] < 0 ? to[p] : to[p] - size[longest[p]];
 	}
 }
 
-/* b[to[i]] = a[i]; a and b change places. */
+/* Sets b[to[i]] = a[i], then swaps a and b. */
 static void
 permute(int n, const int *to, int **a, int **b)
 {
@@ -114,9 +115,9 @@ permute(int n, const int *to, int **a, int **b)
 	*b = swap;
 }
 
-/* Columns move to their places in a postorder. */
+/* Renumbers the columns in postorder. */
 static int
-move(Etree *t, const Graph *g)
+to_postorder(Etree *t, const Graph *g)
 {
 	size_t n = t->n;
 	int *room = malloc(3*(n + 1)*sizeof *room), *to = malloc((n + 1)*sizeof *to), p;
@@ -151,5 +152,5 @@ etree_init(Etree *t, const Graph *g, const int *order)
 		t->place[t->order[p] = order[p]] = p;
 	find_low(t, g);
 	find_parents(t);
-	return move(t, g);
+	return to_postorder(t, g);
 }

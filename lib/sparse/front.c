@@ -1,14 +1,15 @@
-/* front.c - blocked Cholesky of a front, row block by row block. */
+/* front.c - blocked Cholesky factorization of a front, in tiles of 8 x 8. */
 #include <math.h>
 
 #include "front.h"
 
 enum {
-	PANEL = 8,              /* row blocks of columns that are eliminated at once */
-	LARGE = 40,             /* row blocks that are worth tasks */
-	GRAIN = 8               /* row blocks a task, even */
+	GROUP = 8,              /* tile columns that are eliminated together */
+	LARGE = 40,             /* with at least so many row blocks left, tasks pay */
+	GRAIN = 8               /* row blocks a task, an even number */
 };
 
+/* Columns of the tiles in tile column J: eight, or fewer at the end of the panel. */
 static int
 width(const Front *f, int J)
 {
@@ -25,8 +26,7 @@ tile(const Front *f, int I, int J)
 	return f->update + front_update(I - f->pivots) + PRODUCT_ROWS*PRODUCT_ROWS*(J - f->pivots);
 }
 
-/* Tiles (I,J) and, if n is 2, (I+1,J): what the columns of tiles from, .. to-1 take from
- * them. */
+/* Subtracts the products of tile columns from .. to-1 from tile (I,J) and, if n is 2, (I+1,J). */
 static void
 subtract(const Front *f, int I, int n, int J, int from, int to)
 {
@@ -38,9 +38,9 @@ subtract(const Front *f, int I, int n, int J, int from, int to)
 		product_subtract(n, width(f, J), end - PRODUCT_ROWS*from, a, tile(f, J, from), c);
 }
 
-/* The factor of tile d into its place.  Returns as front_factor. */
+/* Replaces the diagonal tile d, n columns wide, by its Cholesky factor.  Returns as front_factor. */
 static int
-root(double *d, int n)
+factor_tile(double *d, int n)
 {
 	int i, j, k, bad = -1;
 
@@ -58,16 +58,16 @@ root(double *d, int n)
 	return bad;
 }
 
-/* Columns of tiles from .. to-1 down to row block to-1. */
+/* Computes the factor in tile columns from .. to-1, down to row block to-1. */
 static int
-triangle(const Front *f, int from, int to)
+factor_triangle(const Front *f, int from, int to)
 {
 	int I, J, e, bad = -1;
 
 	for (J = from; J < to; J++) {
 		for (I = J; I < to; I++)
 			subtract(f, I, 1, J, from, J);
-		e = root(tile(f, J, J), width(f, J));
+		e = factor_tile(tile(f, J, J), width(f, J));
 		if (e >= 0 && bad < 0)
 			bad = PRODUCT_ROWS*J + e;
 		for (I = J + 1; I < to; I++)
@@ -76,9 +76,9 @@ triangle(const Front *f, int from, int to)
 	return bad;
 }
 
-/* The same columns in n row blocks from I on, below. */
+/* Computes the factor in tile columns from .. to-1 of n row blocks from I on, below that triangle. */
 static void
-below(const Front *f, int I, int n, int from, int to)
+divide_below(const Front *f, int I, int n, int from, int to)
 {
 	int J, i;
 
@@ -89,9 +89,9 @@ below(const Front *f, int I, int n, int from, int to)
 	}
 }
 
-/* What these columns take from the rest of n row blocks. */
+/* Subtracts the products of tile columns from .. to-1 from all later columns of n row blocks. */
 static void
-rest(const Front *f, int I, int n, int from, int to)
+subtract_group(const Front *f, int I, int n, int from, int to)
 {
 	int J;
 
@@ -101,29 +101,30 @@ rest(const Front *f, int I, int n, int from, int to)
 		subtract(f, I + 1, 1, I + 1, from, to);
 }
 
+/* What is done to n <= 2 row blocks from I on once tile columns from .. to-1 are factored. */
 typedef void Step(const Front *, int I, int n, int from, int to);
 
-/* Row blocks I .. end-1, two by two. */
+/* Applies step to row blocks I .. end-1, two at a time. */
 static void
-pairs(const Front *f, int I, int end, int from, int to, Step *step)
+each_pair(const Front *f, int I, int end, int from, int to, Step *step)
 {
 	for (; I < end; I += 2)
 		step(f, I, I + 1 < end ? 2 : 1, from, to);
 }
 
-/* All row blocks from `to` on. */
+/* Applies step to all row blocks from `to` on, in tasks if there are many. */
 static void
-all(const Front *f, int from, int to, Step *step)
+each_block(const Front *f, int from, int to, Step *step)
 {
 	int I;
 
 	if (f->blocks - to < LARGE) {
-		pairs(f, to, f->blocks, from, to, step);
+		each_pair(f, to, f->blocks, from, to, step);
 		return;
 	}
 	for (I = to; I < f->blocks; I += GRAIN) {
 #pragma omp task
-		pairs(f, I, I + GRAIN < f->blocks ? I + GRAIN : f->blocks, from, to, step);
+		each_pair(f, I, I + GRAIN < f->blocks ? I + GRAIN : f->blocks, from, to, step);
 	}
 #pragma omp taskwait
 }
@@ -134,12 +135,12 @@ front_factor(const Front *f)
 	int from, to, e, bad = -1;
 
 	for (from = 0; from < f->pivots; from = to) {
-		to = from + PANEL < f->pivots ? from + PANEL : f->pivots;
-		e = triangle(f, from, to);
+		to = from + GROUP < f->pivots ? from + GROUP : f->pivots;
+		e = factor_triangle(f, from, to);
 		if (e >= 0 && bad < 0)
 			bad = e;
-		all(f, from, to, below);
-		all(f, from, to, rest);
+		each_block(f, from, to, divide_below);
+		each_block(f, from, to, subtract_group);
 	}
 	return bad;
 }

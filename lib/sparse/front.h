@@ -1,13 +1,12 @@
 /* front.h - elimination of some columns of a dense symmetric matrix.  Private to lib/.
  *
- * A front has `columns` rows and columns to be eliminated and `rows` rows below them.
- * Each part begins a row block (product.h) of its own, the rest of its last one is 0:
+ * A front has `columns` rows and columns that are eliminated, and `rows` rows below them.  Both
+ * groups of rows start with a new row block (product.h); their last row blocks are filled up with 0.
  *
- *   panel    the columns: of row block I, those up to its last row
- *   update   the rows below by themselves: of row block A, the columns 0 .. 8*A+7
+ *   panel    the eliminated columns; row block I holds those up to its last row
+ *   update   the lower right part; row block A of it holds the columns 0 .. 8*A+7
  *
- * Only the lower triangle counts; what stands above it in blocks on the diagonal is
- * without meaning.
+ * Only the lower triangle is used; entries above the diagonal have no meaning.
  */
 #ifndef FRONT_H
 #define FRONT_H
@@ -18,7 +17,7 @@
 
 typedef struct Front {
 	int     columns, rows;
-	int     pivots, blocks; /* row blocks of the columns, and of all */
+	int     pivots, blocks; /* row blocks of the eliminated rows, and of all rows */
 	double *panel, *update;
 } Front;
 
@@ -28,7 +27,7 @@ front_blocks(int rows)
 	return (rows + PRODUCT_ROWS - 1)/PRODUCT_ROWS;
 }
 
-/* Where row block I of the panel begins; for I = blocks, how many numbers it has. */
+/* Where row block I begins in the panel; for I = blocks, the size of the panel. */
 static inline size_t
 front_panel(const Front *f, int I)
 {
@@ -37,14 +36,14 @@ front_panel(const Front *f, int I)
 	return PRODUCT_ROWS*(PRODUCT_ROWS/2*triangle*(triangle + 1) + (I - triangle)*f->columns);
 }
 
-/* The same of the update. */
+/* Where row block A begins in the update. */
 static inline size_t
 front_update(int A)
 {
 	return PRODUCT_ROWS*PRODUCT_ROWS/2*(size_t)A*(A + 1);
 }
 
-/* pivots and blocks from columns > 0 and rows. */
+/* Sets pivots and blocks from columns > 0 and rows. */
 static inline void
 front_size(Front *f)
 {
@@ -52,10 +51,9 @@ front_size(Front *f)
 	f->blocks = f->pivots + front_blocks(f->rows);
 }
 
-/* The factor of the columns into their place, panel = L, and update -= L L'.  Large fronts
- * are made by tasks, if there is a team; the same bits with and without.
- * Returns -1, or the first column whose pivot is not positive: nothing in the front is
- * a result then. */
+/* Factors the panel in place, panel = L, and subtracts L L' from the update.  Large fronts use
+ * OpenMP tasks if there is a team of threads; the bits are the same without.  Returns -1, or the
+ * first column whose pivot is not positive; the front is then unspecified. */
 int front_factor(const Front *f);
 
 #endif

@@ -1,27 +1,27 @@
-/* order.c - nested dissection of the graph of a surface; part.c says where to part.
+/* order.c - nested dissection of the graph of a surface; split.c chooses the separators.
  *
- * Measured on a torus patch: seconds of order (this one on two threads) + numeric factor,
- * M entries of the factor, gigaflops; two cores not idle otherwise, factors by CHOLMOD:
+ * Measured on a torus patch, on two cores that were also busy otherwise: seconds of ordering (this
+ * code on two threads) + of numeric factorization by CHOLMOD, M entries of the factor, gigaflops:
  *
  *   vertices   AMD                    METIS (cholmod_metis)   this
  *   20 k       .01 + .04   .6  .06    .11 + .04   .6  .04     .04 + .03   .6  .05
  *   100 k      .06 + .30  4.5 1.0     .67 + .21  3.5  .48     .12 + .17  3.8  .59
  *   1 M        .9 + 6.5    66  45     6.8 + 2.6   46   17     1.4 + 3.0   50   21
  *
- * Below 20 k AMD wins hundredths of a second: not worth a second way.  METIS draws from
- * rand(), which is not ours to call.
+ * Below 20 k vertices AMD is faster by hundredths of a second, not worth a second method.  METIS
+ * calls rand(), whose state belongs to the calling program.
  */
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "order.h"
-#include "part.h"
+#include "split.h"
 #include "vertexcut.h"
 
 enum {
-	LEAF = 64,              /* vertices, one bit each */
-	TASK = 4096             /* vertices that are worth a task */
+	LEAF = 64,              /* most vertices of a piece that is not split, one bit each */
+	TASK = 4096             /* a piece with more vertices is a task */
 };
 
 static int
@@ -30,8 +30,8 @@ degree(const Graph *g, int i)
 	return g->first[i+1] - g->first[i];
 }
 
-/* Minimum degree on bit sets: near[i] has the neighbours of i that are left, cost[i] their
- * number and that of the neighbours outside the piece, which are only counted. */
+/* Minimum degree on bit sets: near[i] has the remaining neighbours of i in the piece, outer[i] is the
+ * number of those outside, which are only counted, and cost[i] is the sum of both numbers. */
 static void
 order_leaf(const Piece *p, const Graph *whole)
 {
@@ -60,7 +60,7 @@ order_leaf(const Piece *p, const Graph *whole)
 	}
 }
 
-/* The vertices of one side as a piece of their own. */
+/* Makes a piece q of the n vertices on one side of p; number[i] is the number of vertex i in q. */
 static int
 extract(const Piece *p, const signed char *side, int which, const int *number, int n, Piece *q)
 {
@@ -101,16 +101,16 @@ piece_free(Piece *p)
 	memset(p, 0, sizeof *p);
 }
 
-/* Parts p, puts the separator at the end of its order, and takes p apart. */
+/* Splits p in two, puts the separator at the end of its order, and frees p. */
 static int
-halves(Piece *p, Piece half[2])
+split_piece(Piece *p, Piece half[2])
 {
 	int *work = malloc(6*(size_t)p->g.n*sizeof *work), count[3], n[3] = { 0, 0, 0 }, i, e = ORDER_ENOMEM;
 	signed char *side = malloc(p->g.n);
 
 	memset(half, 0, 2*sizeof *half);
 	if (work && side) {
-		part(p, side, count, work);
+		split(p, side, count, work);
 		for (i = 0; i < p->g.n; i++)
 			work[i] = n[(int)side[i]]++;
 		for (i = 0; i < p->g.n; i++)
@@ -140,7 +140,7 @@ dissect_piece(Piece *p, const Graph *whole)
 		piece_free(p);
 		return 0;
 	}
-	if ((e = halves(p, half)) != 0) {
+	if ((e = split_piece(p, half)) != 0) {
 		piece_free(&half[0]);
 		piece_free(&half[1]);
 		return e;

@@ -1,8 +1,8 @@
 /* product.c - two inner loops, in blocks that fit the registers.
  *
- * The C of a compiler's vectors, not a BLAS: most products of a sparse factor are of
- * a few columns, where calling one takes longer than the product does; OpenBLAS 0.3.21
- * takes processors younger than itself for ones of 2004; and its threads wait by spinning.
+ * In C with the compiler's vector types instead of a BLAS: most products in a sparse factor have so
+ * few columns that a call of the BLAS would take longer than the product; OpenBLAS 0.3.21 treats
+ * processors newer than itself as those of 2004; and its threads wait by spinning.
  */
 #include "../base/cpu.h"
 #include "product.h"
@@ -38,7 +38,7 @@ quotient(int columns, const double *L, double *x)
 	}
 }
 
-/* Sixteen registers, most processors: eight sums are on their way at once. */
+/* For sixteen registers, as in most processors: eight sums at a time. */
 static void
 product_128(int columns, int n, const double *a, const double *b, double *c)
 {
@@ -57,7 +57,7 @@ product_256(int columns, int n, const double *a, const double *b, double *c)
 	tile_256(2, 4, columns, n, rows, b, to);
 }
 
-/* Thirty-two registers. */
+/* For thirty-two registers. */
 TARGET("avx512f") static void
 product_512(int blocks, int columns, int n, const double *const a[], const double *b,
 	double *const c[])

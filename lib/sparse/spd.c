@@ -36,7 +36,7 @@ spd_free(Spd *a)
 	memset(a, 0, sizeof *a);
 }
 
-/* The matrix in CHOLMOD's own form; a is released. */
+/* Converts a to a CHOLMOD matrix and frees it. */
 static cholmod_sparse *
 compress(Spd *a, cholmod_common *c)
 {
@@ -49,7 +49,7 @@ compress(Spd *a, cholmod_common *c)
 	return A;
 }
 
-/* CHOLMOD reports by Common->status, never by its return values alone. */
+/* The outcome of the last call, from Common->status: CHOLMOD's return values do not tell all. */
 static int
 status(const cholmod_common *c, const cholmod_factor *L, SpdReport *r)
 {
@@ -63,9 +63,9 @@ status(const cholmod_common *c, const cholmod_factor *L, SpdReport *r)
 	return c->status < 0 ? SPD_ENOMEM : 0;
 }
 
-/* A solution that is not finite shows a pivot that was none. */
+/* A solution that is not finite is reported as a pivot that is not positive. */
 static int
-finite_or_blame(const double *x, size_t n, size_t nrow, SpdReport *r)
+check_finite(const double *x, size_t n, size_t nrow, SpdReport *r)
 {
 	size_t i;
 
@@ -77,7 +77,7 @@ finite_or_blame(const double *x, size_t n, size_t nrow, SpdReport *r)
 	return 0;
 }
 
-/* CHOLMOD at work on one matrix. */
+/* CHOLMOD's state for one matrix. */
 typedef struct Work {
 	cholmod_common  c;
 	cholmod_factor *L;
@@ -92,10 +92,10 @@ start(Work *w)
 	cholmod_start(&w->c);
 	w->c.print = 0;
 	w->c.nmethods = 1;
-	w->c.final_ll = 1;              /* L D L' would not see a negative pivot */
+	w->c.final_ll = 1;              /* L D L' would accept a negative pivot */
 }
 
-/* ordering is one of CHOLMOD's; order goes with CHOLMOD_GIVEN. */
+/* ordering is one of CHOLMOD's methods; order is used with CHOLMOD_GIVEN only. */
 static void
 analyze(Work *w, cholmod_sparse *A, int ordering, const int *order)
 {
@@ -119,14 +119,14 @@ solve(Work *w, cholmod_sparse *A, int nrhs, double *B)
 		w->e = status(&w->c, w->L, &w->r);
 	}
 	if (!w->e)
-		w->e = finite_or_blame(x->x, A->nrow*nrhs, A->nrow, &w->r);
+		w->e = check_finite(x->x, A->nrow*nrhs, A->nrow, &w->r);
 	if (!w->e)
 		memcpy(B, x->x, A->nrow*nrhs*sizeof *B);
 	cholmod_free_dense(&x, &w->c);
 	cholmod_free_factor(&w->L, &w->c);
 }
 
-/* OpenBLAS's own functions, if that is the BLAS this process has loaded: NULL with any other. */
+/* OpenBLAS's functions for its number of threads; NULL if the process has loaded another BLAS. */
 typedef struct Blas {
 	void (*set)(int);
 	int  (*get)(void);
@@ -146,9 +146,9 @@ openblas(void)
 	return b;
 }
 
-/* CHOLMOD works on one thread: BLAS, for equal bits; its own loops over blocks, since its
- * four threads mostly wait (factor of 1 M vertices, METIS order, 2 cores: 5.3 s with them,
- * 2.6 s without). */
+/* The settings that are restored after CHOLMOD has run on one thread.  With more, the BLAS would not
+ * give equal bits, and CHOLMOD's own loops over blocks would be slower, as their four threads mostly
+ * wait (factor of 1 M vertices, METIS order, 2 cores: 5.3 s with them, 2.6 s without). */
 typedef struct Threads {
 	Blas openblas;
 	int  blas, levels;

@@ -1,15 +1,15 @@
 /* vertexcut.c - the smallest vertex separator within a band, by augmenting paths.
  *
- * By Menger's theorem it has as many vertices as there are paths through the band that
- * share none.  Each vertex v is a pair in(v) -> out(v), node 2v and 2v+1, that one path
- * may pass; paths are added one by one, each may push parts of older ones aside.  All
- * searches of a round share their marks, so that a round costs one look at the band,
- * and a few rounds find all paths. */
+ * By Menger's theorem its size is the largest number of paths through the band that share no vertex.
+ * Each vertex v is split into nodes in(v) = 2v and out(v) = 2v+1, joined by an edge that one path
+ * may use.  Paths are added one by one; a new path may reroute parts of older ones.  All searches
+ * of a round share their marks, so that a round visits the band once, and a few rounds find all
+ * paths. */
 #include "vertexcut.h"
 
-enum { NONE = -1, END = -2 };   /* of a path; as parent: not seen, and where a search began */
+enum { NONE = -1, END = -2 };   /* of a path; as parent: not visited, start of a search */
 
-/* What a band vertex touches, kept in its side while the cut is sought. */
+/* During the search, side[v] of a band vertex has these flags: which sides it touches. */
 enum { BAND = CUT_SEPARATOR, AT_LEFT = 4, AT_RIGHT = 8 };
 
 typedef struct Cut {
@@ -40,9 +40,9 @@ find_band(Cut *c)
 		}
 }
 
-/* A node that can be reached from `node` and has not been, or NONE. */
+/* A node not visited yet that can be reached from `node` in one step, or NONE. */
 static int
-step(Cut *c, int node)
+next_node(Cut *c, int node)
 {
 	int v = node/2, w;
 
@@ -61,7 +61,7 @@ step(Cut *c, int node)
 	return c->next[v] != NONE && c->parent[node-1] == NONE ? node - 1 : NONE;
 }
 
-/* The path that a search found, from its last node back. */
+/* Adds the path that a search found, from its last node back. */
 static void
 augment(Cut *c, int node)
 {
@@ -72,12 +72,12 @@ augment(Cut *c, int node)
 		if (node%2 == 0 && from/2 != node/2) {          /* out(v) -> in(w) */
 			c->next[from/2] = node/2;
 			c->prev[node/2] = from/2;
-		} else if (node%2 == 0)                         /* out(v) -> in(v): v is left */
+		} else if (node%2 == 0)                         /* out(v) -> in(v): off the path */
 			c->next[node/2] = c->prev[node/2] = NONE;
 	c->prev[node/2] = END;
 }
 
-/* Depth first from in(v); 1 when a path came of it. */
+/* Depth-first search from in(v).  Returns 1 if it found a path, which is then added. */
 static int
 search(Cut *c, int v)
 {
@@ -91,7 +91,7 @@ search(Cut *c, int v)
 			augment(c, node);
 			return 1;
 		}
-		to = step(c, node);
+		to = next_node(c, node);
 		if (to == NONE)
 			node = c->parent[node];
 		else {

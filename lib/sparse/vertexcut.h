@@ -1,4 +1,4 @@
-/* vertexcut.h - the fewest vertices of a band that part a graph.  Private to lib/. */
+/* vertexcut.h - the smallest vertex separator within a band.  Private to lib/. */
 #ifndef VERTEXCUT_H
 #define VERTEXCUT_H
 
@@ -7,8 +7,8 @@
 enum { CUT_LEFT, CUT_RIGHT, CUT_SEPARATOR };
 
 /* side   in   CUT_SEPARATOR for the band: no edge joins a left vertex to a right one
- *        out  only the fewest vertices of the band that part what was left from what was
- *             right stay in the separator; the rest of it goes to the side it hangs on
+ *        out  only a smallest set of band vertices that separates left from right remains the
+ *             separator; the other band vertices join the side they are connected to
  * work   [6*n] scratch
  *
  * Cannot fail. */

@@ -1,34 +1,34 @@
-/* part.c - splitting a piece of a surface graph in two (vertex separator).
+/* split.c - splits a piece of a surface graph in two by a small vertex separator.
  *
- * Where to part: a and b are two vertices as far from each other as breadth-first
- * searches find, c is far from both, d far from c.  The differences of distances in edges
+ * Let a and b be two vertices far apart, found by breadth-first searches, c a vertex far from
+ * both, and d a vertex far from c.  With distances in edges,
  *
  *   f1 = dist(., a) - dist(., b),   f2 = dist(., c) - dist(., d)
  *
- * are two coordinates that know the surface from inside: folds do no harm, as they would
- * to cuts by planes.  On a square a..d are its corners, the level lines of f1 and f2
- * its diagonals, those of f1 + f2 and f1 - f2 parallel to its sides.  Of these four the one
- * whose median crosses the fewest edges decides; the vertices near it are a band that
- * parts the rest, and vertexcut.c finds the fewest of them that do.  The parts inherit
- * f1 and f2 until they are AGAIN times smaller.
+ * are two intrinsic coordinates of the surface; unlike cuts by planes, they are not disturbed by
+ * folds.  On a square, a..d are the corners, the level lines of f1 and f2 run along the diagonals,
+ * and those of f1 + f2 and f1 - f2 along the sides.  Of these four functions, the one whose median
+ * level crosses the fewest edges is used.  The vertices near that level form a band that separates
+ * the rest, and vertexcut.c finds the smallest separator within the band.  The two parts keep f1
+ * and f2 until they are AGAIN times smaller.
  */
 #include <stdint.h>
 #include <string.h>
 
-#include "part.h"
+#include "split.h"
 #include "vertexcut.h"
 
 enum {
-	BAND = 2,               /* edges that the band reaches on either side, or so */
+	BAND = 2,               /* about how many edges the band reaches to either side */
 	AGAIN = 64,
-	SAMPLE = 1024,          /* vertices that are enough to tell a level's place and worth.. */
-	STRIDE = 16             /* ..or one in so many, of the largest pieces */
+	SAMPLE = 1024,          /* vertices that suffice to find a level and its cost.. */
+	STRIDE = 16             /* ..but at least one in so many, in large pieces */
 };
 
-/* Distances from vertex a in edges to what it reaches among vertices of dist -1.  Returns
- * how many; the last, and farthest, is queue[that - 1]. */
+/* Distances in edges from vertex a to all vertices that it reaches through vertices of dist -1.
+ * Returns their number m; queue[m-1] is one of the farthest. */
 static int
-spread(const Graph *g, int a, int *dist, int *queue)
+breadth_first(const Graph *g, int a, int *dist, int *queue)
 {
 	int head, tail = 0, k, j;
 
@@ -43,8 +43,8 @@ spread(const Graph *g, int a, int *dist, int *queue)
 	return tail;
 }
 
-/* Components from the first vertex on, until half of the vertices are reached, and where
- * in the queue the last of them begins. */
+/* Searches component after component, from the first vertex on, until half of the vertices are
+ * reached.  Returns the number reached; *last is where the last component begins in the queue. */
 static int
 components(const Graph *g, int *dist, int *queue, int *last)
 {
@@ -54,25 +54,25 @@ components(const Graph *g, int *dist, int *queue, int *last)
 	for (*last = 0, v = 0; 2*tail < g->n; v++)
 		if (dist[v] < 0) {
 			*last = tail;
-			tail += spread(g, v, dist, queue + tail);
+			tail += breadth_first(g, v, dist, queue + tail);
 		}
 	return tail;
 }
 
-/* f[2*i] = dist(i, a) - dist(i, b), b the farthest from a; sum, if not NULL, of the two.
- * work is [2*n].  g is connected. */
+/* f[2*i] = dist(i, a) - dist(i, b), where b is a vertex farthest from a; sum[i], if not NULL, is the
+ * sum of the two.  work is [2*n].  g is connected. */
 static void
 coordinate(const Graph *g, int a, int *f, int *sum, int *work)
 {
 	int *dist = work, *queue = work + g->n, i;
 
 	memset(dist, -1, g->n*sizeof *dist);
-	spread(g, a, dist, queue);
+	breadth_first(g, a, dist, queue);
 	for (i = 0; i < g->n; i++)
 		f[2*i] = dist[i];
 	a = queue[g->n - 1];
 	memset(dist, -1, g->n*sizeof *dist);
-	spread(g, a, dist, queue);
+	breadth_first(g, a, dist, queue);
 	for (i = 0; i < g->n; i++) {
 		if (sum)
 			sum[i] = f[2*i] + dist[i];
@@ -80,6 +80,7 @@ coordinate(const Graph *g, int a, int *f, int *sum, int *work)
 	}
 }
 
+/* Sets f1 and f2; `far` is the vertex a. */
 static void
 coordinates(Piece *p, int far, int *work)
 {
@@ -102,9 +103,9 @@ value(const Piece *p, int i, int which)
 	return factor[which][0]*p->f[2*i] + factor[which][1]*p->f[2*i+1];
 }
 
-/* The median of a value over every stride-th vertex; count is [4*n].  In a part that
- * hangs together only by what was cut off values may lie farther apart than 4*n:
- * then it is one nearby. */
+/* The median of a value over every stride-th vertex; count is [4*n].  In a piece that was connected
+ * only through vertices removed since, values may differ by more than 4*n; the result is then
+ * approximate. */
 static int
 median(const Piece *p, int which, int stride, int *count)
 {
@@ -124,9 +125,9 @@ median(const Piece *p, int which, int stride, int *count)
 	return lo + i*unit;
 }
 
-/* The worth of parting at a level: how many edges at every stride-th vertex cross it; of
- * levels whose band leaves too little on a side the one that leaves most is the least
- * evil. */
+/* The cost of splitting at a level: the number of edges, at every stride-th vertex, that cross it.
+ * If the band leaves less than an eighth of the vertices on a side, the cost is higher than any such
+ * number, and highest where it leaves least. */
 static int
 cost(const Piece *p, int which, int level, int width, int stride)
 {
@@ -143,9 +144,9 @@ cost(const Piece *p, int which, int level, int width, int stride)
 	return left < total/8 ? INT32_MAX - left : n;
 }
 
-/* Parts p at the best of its levels. */
+/* Splits p at the cheapest of the four median levels. */
 static void
-part_level(const Piece *p, signed char *side, int *work)
+split_at_level(const Piece *p, signed char *side, int *work)
 {
 	static const int widths[4] = { 2*BAND, 2*BAND, 3*BAND, 3*BAND };
 	int stride = p->g.n/SAMPLE < STRIDE ? 1 + p->g.n/SAMPLE : STRIDE, i, x, n, level, best = 0, least = INT32_MAX, middle = 0;
@@ -174,10 +175,10 @@ count_sides(const signed char *side, int n, int count[3])
 		count[(int)side[i]]++;
 }
 
-/* What always parts, if badly: the first half of the vertices and the second, those of
- * the first that touch the second between them. */
+/* A split that is always possible, though its separator may be large: the first and the second half
+ * of the vertices, separated by those of the first that have neighbours in the second. */
 static void
-part_anyhow(const Graph *g, signed char *side)
+split_by_number(const Graph *g, signed char *side)
 {
 	int i, k;
 
@@ -190,7 +191,7 @@ part_anyhow(const Graph *g, signed char *side)
 }
 
 void
-part(Piece *p, signed char *side, int count[3], int *work)
+split(Piece *p, signed char *side, int count[3], int *work)
 {
 	int *queue = work + p->g.n, i, n = p->g.n, reached, last;
 
@@ -205,10 +206,10 @@ part(Piece *p, signed char *side, int count[3], int *work)
 		}
 		coordinates(p, queue[n-1], work);
 	}
-	part_level(p, side, work);
+	split_at_level(p, side, work);
 	count_sides(side, n, count);
 	if (count[CUT_LEFT] < n/8 || count[CUT_RIGHT] < n/8) {
-		part_anyhow(&p->g, side);
+		split_by_number(&p->g, side);
 		count_sides(side, n, count);
 	}
 }
