@@ -42,7 +42,7 @@ cg(const CgSystem *s, const CgLimits *limits, double *x, double *r, double *z, d
 		rz = field_dot(s->n, r, z);
 		dp = rz/old*(dp + t*pp);
 		pp = rz + rz/old*(rz/old)*pp;
-		field_turn(s->n, z, rz/old, p);
+		field_xpay(s->n, z, rz/old, p);
 	}
 	return (CgResult){ decrease, sqrt(dd), steps };
 }

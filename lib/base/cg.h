@@ -14,7 +14,7 @@ typedef struct CgSystem {
 } CgSystem;
 
 typedef struct CgLimits {
-	double reduction;       /* stop when |r| in the norm of P^-1 has fallen by this factor */
+	double reduction;       /* stop when |r| in the norm of P^-1 is this share of its start */
 	int    steps;
 	double radius;          /* of the trust region: |x - start| in the norm of P; or HUGE_VAL */
 	double worth;           /* stop when a step adds less than this share of the decrease */
@@ -23,7 +23,7 @@ typedef struct CgLimits {
 typedef struct CgResult {
 	double decrease;        /* twice that of the function */
 	double length;          /* |x - start| in the norm of P, the radius if that was reached */
-	int    steps;           /* number done; that of CgLimits if no other limit was reached */
+	int    steps;           /* equal to the limit if nothing else stopped it before */
 } CgResult;
 
 /* x  in/out  a start, and the solution

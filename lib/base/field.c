@@ -1,6 +1,7 @@
 /* field.c - sums and updates of long arrays. */
 #include "field.h"
 
+/* A sum has up to MOST blocks of up to BLOCK numbers; longer arrays have longer blocks. */
 enum { BLOCK = 4096, MOST = 64 };
 
 static double
@@ -20,7 +21,6 @@ dot_block(size_t n, const double *a, const double *b)
 	return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
-/* At most MOST blocks, for any number of threads. */
 double
 field_dot(size_t n, const double *a, const double *b)
 {
@@ -49,7 +49,7 @@ field_add(size_t n, double a, const double *x, double *y)
 }
 
 void
-field_turn(size_t n, const double *x, double a, double *y)
+field_xpay(size_t n, const double *x, double a, double *y)
 {
 	size_t p;
 

@@ -15,8 +15,8 @@ det3(double M[3][3])
 	return dot3(c, M[2]);
 }
 
-/* R = U diag(1, 1, d) V'.  LAPACK stores by columns, so it was given C' = V s U': its u holds V
- * by columns and its vt holds U by rows. */
+/* R = U diag(1, 1, d) V'.  LAPACK stores by columns and so reads C as C' = V s U': its u holds V by
+ * columns, its vt holds U by rows. */
 static void
 compose(const double *u, const double *vt, double d, double R[3][3])
 {
@@ -57,9 +57,9 @@ procrustes_rotation(double C[3][3], double R[3][3], double *gain)
 	return 0;
 }
 
-/* The centre of x, and the largest distance from it along an axis. */
+/* The weighted centre of x, and the largest distance from it along an axis. */
 static void
-measure(int n, const double *w, const double *x, double centre[3], double *reach)
+centre_and_reach(int n, const double *w, const double *x, double centre[3], double *reach)
 {
 	double sum = 0;
 	int i, c;
@@ -94,8 +94,9 @@ covariance(int n, const double *w, const double *a, const double ma[3], double u
 		}
 }
 
+/* The weighted root mean square of the distances |a - r b|, computed in the given unit of length. */
 static double
-apart(int n, const double *w, const double *a, const double *b, const Rigid *r, double unit)
+rms_distance(int n, const double *w, const double *a, const double *b, const Rigid *r, double unit)
 {
 	double sum = 0, total = 0, x[3], d[3];
 	int i;
@@ -116,8 +117,8 @@ procrustes(int n, const double *w, const double *a, const double *b, Rigid *r, d
 	double ma[3], mb[3], ua, ub, C[3][3], gain;
 	int e, c;
 
-	measure(n, w, a, ma, &ua);
-	measure(n, w, b, mb, &ub);
+	centre_and_reach(n, w, a, ma, &ua);
+	centre_and_reach(n, w, b, mb, &ub);
 	if (!isfinite(ua + ub))
 		return PROCRUSTES_EVALUE;
 	covariance(n, w, a, ma, ua > 0 ? ua : 1, b, mb, ub > 0 ? ub : 1, C);
@@ -125,7 +126,7 @@ procrustes(int n, const double *w, const double *a, const double *b, Rigid *r, d
 		return e;
 	for (c = 0; c < 3; c++)
 		r->t[c] = ma[c] - dot3(r->R[c], mb);
-	*rms = apart(n, w, a, b, r, ua + ub > 0 ? ua + ub : 1);
+	*rms = rms_distance(n, w, a, b, r, ua + ub > 0 ? ua + ub : 1);
 	return 0;
 }
 

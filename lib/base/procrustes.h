@@ -13,14 +13,15 @@ typedef struct Rigid {
 	double R[3][3], t[3];
 } Rigid;
 
-/* The rotation that maximises  sum <a, R b> = tr(R' C)  for  C = sum a b',  and the maximum:
- * R = U diag(1, 1, det UV') V' and s1 + s2 +- s3, from the decomposition C = U s V'.  If several
- * rotations do (points on one line), it is one of them; the identity if C = 0.
+/* The rotation R that maximises  sum <a, R b> = tr(R' C)  for  C = sum a b',  and that maximum, gain.
+ * From the singular value decomposition C = U s V':  R = U diag(1, 1, det UV') V' and
+ * gain = s1 + s2 +- s3.  If several rotations reach the maximum (points on one line), R is one of
+ * them; if C = 0, the identity.
  *
  * Returns 0, PROCRUSTES_EVALUE or PROCRUSTES_ESVD. */
 int procrustes_rotation(double C[3][3], double R[3][3], double *gain);
 
-/* The motion r of b that minimises  sum w |a - (R b + t)|^2.
+/* The rigid motion r = (R, t) of b that minimises  sum w |a - (R b + t)|^2.
  *
  * w     in   [n] >= 0, one of them positive; NULL: all equal
  * a, b  in   [n][3]
@@ -29,7 +30,7 @@ int procrustes_rotation(double C[3][3], double R[3][3], double *gain);
  * Returns as procrustes_rotation. */
 int procrustes(int n, const double *w, const double *a, const double *b, Rigid *r, double *rms);
 
-/* x moved, n points [n][3]. */
+/* Moves the n points x[n][3]. */
 void rigid_move(const Rigid *r, int n, double *x);
 
 /* The angle of the rotation, 0 .. pi. */

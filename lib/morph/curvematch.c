@@ -7,7 +7,7 @@
 #include "curvematch.h"
 #include "../base/procrustes.h"
 
-static const double ROUNDING = 1e-13;           /* relative, of a difference of squares */
+static const double ROUNDING = 1e-13;   /* in norms - 2 gain, relative to norms */
 
 /* The workspace of one problem, and its plans. */
 typedef struct Correlation {
@@ -55,7 +55,7 @@ correlation_init(Correlation *q, int n)
 	return CURVEMATCH_ENOMEM;
 }
 
-/* The transforms of one curve; returns |x|^2, centred. */
+/* Transforms the centred coordinates of one curve; returns the sum of their squares. */
 static double
 transform(Correlation *q, const double *x, fftw_complex *f[3])
 {
@@ -126,7 +126,7 @@ curvematch(int n, const double *a, const double *b, double *rms, double *angle)
 
 /* Whether shift s is a local minimum of rms. */
 static int
-is_least(int n, const double *rms, int s)
+is_local_minimum(int n, const double *rms, int s)
 {
 	return rms[s] <= rms[(s + 1)%n] && rms[s] <= rms[(s + n - 1)%n];
 }
@@ -140,7 +140,7 @@ curvematch_choose(int n, const double *rms, const double *angle, double clear)
 		if (rms[s] < rms[best])
 			best = s;
 	for (chosen = best, s = 0; s < n; s++)
-		if (is_least(n, rms, s) && rms[s] <= clear*rms[best] && angle[s] < angle[chosen])
+		if (is_local_minimum(n, rms, s) && rms[s] <= clear*rms[best] && angle[s] < angle[chosen])
 			chosen = s;
 	return chosen;
 }
@@ -152,7 +152,7 @@ curvematch_next(int n, const double *rms, int shift)
 	int s;
 
 	for (s = 0; s < n; s++)
-		if (is_least(n, rms, s) && (s - shift + n)%n >= n/8 && (shift - s + n)%n >= n/8)
+		if (is_local_minimum(n, rms, s) && (s - shift + n)%n >= n/8 && (shift - s + n)%n >= n/8)
 			next = fmin(next, rms[s]);
 	return next;
 }

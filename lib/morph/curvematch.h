@@ -7,8 +7,8 @@ enum {
 	CURVEMATCH_EVALUE = -2          /* a curve that is not finite */
 };
 
-/* For every shift s the distance of the curve a from the curve b that begins s points later,
- * after the best rigid motion of b:
+/* For every shift s: the distance between the curve a and the curve b begun s points later, after the
+ * best rigid motion of b:
  *
  *   rms[s]^2 = min over R, t of the mean of |a_i - (R b_(i+s mod n) + t)|^2
  *            = (|a|^2 + |b|^2 - 2 max over R of tr(R' C(s)))/n,   C(s) = sum a_i b'_(i+s)
@@ -24,12 +24,12 @@ enum {
  * Returns 0, CURVEMATCH_ENOMEM or CURVEMATCH_EVALUE. */
 int curvematch(int n, const double *a, const double *b, double *rms, double *angle);
 
-/* The shift of the least rms.  If several local minima are within a factor clear >= 1 of it: the
- * one of least rotation of b.  For example, outlines of faces fit upside down nearly as well,
- * and in most files faces are upright. */
+/* The shift with the smallest rms.  If several local minima are within a factor clear >= 1 of it, the
+ * one with the smallest rotation of b: the outline of a face, for example, fits nearly as well upside
+ * down, and in most files faces are upright. */
 int curvematch_choose(int n, const double *rms, const double *angle, double clear);
 
-/* The least local minimum of rms at least an eighth of the curve away from shift, or HUGE_VAL if
+/* The smallest local minimum of rms at least an eighth of the curve away from shift; HUGE_VAL if
  * there is none. */
 double curvematch_next(int n, const double *rms, int shift);
 

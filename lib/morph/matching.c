@@ -6,13 +6,14 @@
 #include "matching.h"
 #include "../base/vec3.h"
 
-/* One border as a list of its nodes and landmarks; the key is i + f at the share f of the arc
- * length from landmark i to the next. */
+/* The nodes and landmarks of a border in order; the key of a point is i + f if it lies at the share f
+ * of the arc length from landmark i to the next. */
 typedef struct Keyed {
 	int     n;
 	double *key, *r, *x;
 } Keyed;
 
+/* How far it is counterclockwise from one place to another. */
 static double
 ahead(double from, double to)
 {
@@ -50,9 +51,9 @@ static int
 append_part(Keyed *l, const Border *b, int n, const double *p, int i, int *k)
 {
 	double from = p[0] + ahead(p[0], p[i]), to = i + 1 < n ? p[0] + ahead(p[0], p[i+1]) : p[0] + 4;
-	double s = arc(b, from), way = arc(b, to) - s, x[3], r;
+	double s = arc(b, from), length = arc(b, to) - s, x[3], r;
 
-	if (!(way > 1e-12*b->s[b->n]))
+	if (!(length > 1e-12*b->s[b->n]))
 		return MATCHING_ELENGTH;
 	border_at(b, p[i], x);
 	append(l, i, from, x);                                          /* (33) */
@@ -61,7 +62,8 @@ append_part(Keyed *l, const Border *b, int n, const double *p, int i, int *k)
 		if (r >= to)
 			break;
 		if (r > from)
-			append(l, i + fmin((arc(b, r) - s)/way, 1), r, b->x + 3*(*k%b->n));     /* (34) */
+			append(l, i + fmin((arc(b, r) - s)/length, 1), r,
+			    b->x + 3*(*k%b->n));                                /* (34) */
 	}
 	return 0;
 }
@@ -96,7 +98,8 @@ keyed_init(Keyed *l, const Border *b, int n, const double *p, int *at)
 	return e;
 }
 
-/* Sets entry n of curve k of m to entry i of l, or to the point of that key before it. */
+/* Sets entry n of curve k of m to the point of l with the given key: entry i, or between it and the
+ * entry before. */
 static void
 put_key(Matching *m, int k, const Keyed *l, int i, double key)
 {
@@ -137,7 +140,7 @@ merge(Matching *m, const Keyed *a, const Keyed *b)
 }
 
 static int
-room(Matching *m, size_t n)
+matching_alloc(Matching *m, size_t n)
 {
 	int k;
 
@@ -179,7 +182,7 @@ matching_init(Matching *m, const Border *a, const Border *b, int n, const double
 		keyed_free(&la);
 		return e;
 	}
-	if (!(e = room(m, (size_t)la.n + lb.n))) {
+	if (!(e = matching_alloc(m, (size_t)la.n + lb.n))) {
 		merge(m, &la, &lb);
 		add_turns(m);
 	}
@@ -193,7 +196,7 @@ matching_conformal(Matching *m, const Border *a, const Border *b)
 {
 	int i;
 
-	if (room(m, (size_t)a->n + 1))
+	if (matching_alloc(m, (size_t)a->n + 1))
 		return MATCHING_ENOMEM;
 	m->n = a->n + 1;
 	for (i = 0; i < m->n; i++) {

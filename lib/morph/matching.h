@@ -24,15 +24,16 @@ enum {
 	MATCHING_ELENGTH = -2           /* the curve has no length between two landmarks */
 };
 
-/* All vertices of both borders, in pairs, once round; the last is the first again. */
+/* The vertices of both borders and their corresponding points, in pairs, once round; the last pair
+ * repeats the first. */
 typedef struct Matching {
 	int     n;
 	double *r[2];           /* [n] places, not decreasing; r[.][n-1] = r[.][0] + 4 */
 	double *x[2];           /* [n][3] positions */
 } Matching;
 
-/* The first of n places that is not counterclockwise after the one before it, or that passes
- * the first again; n if there is none. */
+/* Checks that n places are in counterclockwise order, less than once round.  Returns the index of the
+ * first that is not, or n. */
 int matching_order(int n, const double *place);
 
 /* p, q  in   [n] places in such an order, n >= 1
@@ -42,7 +43,7 @@ int matching_order(int n, const double *place);
 int  matching_init(Matching *m, const Border *a, const Border *b, int n, const double *p,
 	const double *q, int *at);
 
-/* Equal places correspond; a and b have equally many nodes.  Returns 0 or MATCHING_ENOMEM. */
+/* Equal places correspond; a and b must have equally many nodes.  Returns 0 or MATCHING_ENOMEM. */
 int  matching_conformal(Matching *m, const Border *a, const Border *b);
 void matching_free(Matching *m);
 
@@ -50,7 +51,7 @@ void matching_free(Matching *m);
  * summed over both curves. */
 void matching_weights(const Matching *m, double *w);
 
-/* The point at place r, 0 <= r < 4, of the border at t. */
+/* The point at place r, 0 <= r < 4, of the interpolated border at t. */
 void matching_at(const Matching *m, double t, double r, double x[3]);
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "outline.h"
 
-static const double WAVES = 8;          /* periods round the curve at which a wave falls to 1/e */
+static const double WAVES = 8;          /* a wave of so many periods round the curve falls to 1/e */
 
 /* Arc length of the closed polygon x from its start to point i, 0 .. n. */
 static int
@@ -24,7 +24,7 @@ arc_lengths(int n, const double *x, double *s)
 	return s[n] > 0 && s[n] < HUGE_VAL ? 0 : OUTLINE_EVALUE;
 }
 
-/* n points at equal arc length of the polygon x[m]; s: its arc lengths. */
+/* n points y at equal arc lengths on the closed polygon x[m], whose arc lengths are s. */
 static void
 equal_points(int m, const double *x, const double *s, int n, double *y)
 {

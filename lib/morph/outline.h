@@ -1,9 +1,9 @@
 /* outline.h - the smoothed shape of a ragged closed curve.
  *
  * The boundary of a scan runs in and out; its extra length would distort arc length along the
- * outline.  So the curve is smoothed first: points at equal arc length, their Fourier
- * coefficients times exp(-(k/8)^2), and points at equal arc length of the smooth curve, centred
- * and of root mean square 1.
+ * outline.  So the curve is smoothed first: the Fourier coefficients of points at equal arc length
+ * are multiplied by exp(-(k/8)^2).  The outline consists of points at equal arc length of the smooth
+ * curve, centred and scaled to root mean square 1.
  */
 #ifndef OUTLINE_H
 #define OUTLINE_H
@@ -16,8 +16,8 @@ enum {
 typedef struct Outline {
 	int     n;
 	double *x;              /* [n][3] */
-	double *place;          /* [n+1] arc length on the outline, over its total, of the point at
-	                         * k/n of the curve's length: 0 .. 1 */
+	double *place;          /* [n+1] place[k]: where on the outline the point at k/n of the length
+	                         * of the curve is, as a share of the outline's length */
 } Outline;
 
 /* The outline, of n points, of the closed polygon x[m][3], with the same starting point.
@@ -25,7 +25,8 @@ typedef struct Outline {
 int  outline_init(Outline *o, int n, int m, const double *x);
 void outline_free(Outline *o);
 
-/* A place on the curve, over its length, as a place on the outline; and back.  Both 0 .. 1. */
+/* From a place on the curve to the place on the outline, and back.  Places are shares of the length,
+ * 0 .. 1. */
 double outline_place(const Outline *o, double place);
 double outline_back(const Outline *o, double place);
 

@@ -66,9 +66,9 @@ planelaplace_init(PlaneLaplace *p, Chart g, int axis)
 	return e;
 }
 
-/* With the basis B of sines and cosines and the weights W (1/2 at free ends) that make it
- * orthogonal, P = W B Lambda B^-1, so z = B Lambda^-1 B' r up to the norms.  Input of FFTW's
- * transforms is r/2 in each direction, and r at free ends. */
+/* B is the basis of sines and cosines, orthogonal with the weights W, 1/2 at free ends and 1 else.
+ * Then P = W B Lambda B^-1 and z = B Lambda^-1 B' r, up to norms.  FFTW's transforms double inner
+ * terms, so r is halved first in each direction, but not at free ends. */
 void
 planelaplace_solve(const PlaneLaplace *p, const double *r, double *z)
 {

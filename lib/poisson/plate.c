@@ -15,7 +15,7 @@
 
 enum { WIDTH = 8 };             /* columns copied at a time: one cache line */
 
-/* The eigenvalues of the waves first, .., first + n-1 over N steps. */
+/* Eigenvalues of minus the second difference over N steps, of waves first .. first + n-1. */
 static double *
 eigenvalues(int n, int first, int N, double step)
 {
@@ -27,7 +27,7 @@ eigenvalues(int n, int first, int N, double step)
 	return e;
 }
 
-/* Number of unknown nodes among n along u or v. */
+/* How many of n nodes along u or v are unknowns. */
 static int
 unknown(const Plate *p, int n)
 {
@@ -47,8 +47,8 @@ plate_free(Plate *p)
 	memset(p, 0, sizeof *p);
 }
 
-/* The workspace of a thread: WIDTH columns, then that of a transform; both are multiples of
- * a cache line. */
+/* The workspace of a thread: WIDTH columns, then the workspace of a transform; each fills whole cache
+ * lines. */
 static size_t
 columns_room(const Plate *p)
 {
@@ -98,7 +98,7 @@ shift(const Plate *p, double b)
 	return p->free ? b*fmin(p->eigenvalue[0][1], p->eigenvalue[1][1]) : 0;
 }
 
-/* Solves `width` columns from column i; z is the first unknown node of the field. */
+/* Solves `width` columns from column i on; z points to the first unknown node of the field. */
 static void
 solve_columns(const Plate *p, double a, double b, int i, int width, double *column, double *z)
 {

@@ -8,8 +8,8 @@
  *   P = W (a Delta^2 - b Delta + c),   Delta of the fields mirrored at the border.
  *
  * The eigenvectors are the cosines; W is 1/2 on the border, 1/4 in the corners, so that P is
- * symmetric.  c is b times the least eigenvalue of -Delta that is not 0: the misfit does not
- * depend on constants, so P treats them like the longest waves.
+ * symmetric.  c is b times the smallest positive eigenvalue of -Delta.  The misfit does not change
+ * when a constant is added to a field, so P may treat constants like the longest waves.
  */
 #ifndef PLATE_H
 #define PLATE_H
@@ -27,7 +27,7 @@ typedef struct Plate {
 	double   *work;                 /* the workspaces of all threads */
 } Plate;
 
-/* g has at least 3 nodes in either direction.  Returns 0 or PLATE_ENOMEM; p then holds
+/* g has at least 3 nodes in each direction.  Returns 0 or PLATE_ENOMEM; p then holds
  * nothing to free. */
 int  plate_init(Plate *p, Chart g, int free);
 void plate_free(Plate *p);

@@ -5,8 +5,7 @@
 
 #include "transform.h"
 
-/* The offset in the workspace of the Fourier transform, after its N input numbers and with
- * their alignment. */
+/* Where the Fourier transform is in the workspace: after its N input numbers, aligned like them. */
 static size_t
 spectrum_offset(int N)
 {

@@ -19,7 +19,7 @@ waves_free(Waves *w)
 }
 
 static int
-waves_of(Spectrum s, int logarithm, const double *f, Waves *w)
+waves_init(Spectrum s, int logarithm, const double *f, Waves *w)
 {
 	size_t n = (size_t)s.g.nu*s.g.nv, p;
 	int e = FILTER_ENOMEM;
@@ -55,7 +55,7 @@ int
 filter_percent(Spectrum s, int logarithm, const double *f, double *out)
 {
 	Waves w;
-	int e = waves_of(s, logarithm, f, &w);
+	int e = waves_init(s, logarithm, f, &w);
 	double unit;
 	size_t q;
 
@@ -83,7 +83,7 @@ larger_first(const void *x, const void *y)
 	return r->q > t->q ? 1 : -1;
 }
 
-/* The term of a coefficient in the sum that a rule bounds: their number or their energy. */
+/* What a coefficient adds to the sum that a rule bounds: to their number or to their energy. */
 static double
 sum_term(Spectrum s, FilterRule rule, const Ranked *r)
 {
@@ -94,7 +94,7 @@ sum_term(Spectrum s, FilterRule rule, const Ranked *r)
 	return r->q ? weight*r->a*r->a : 0;
 }
 
-/* In: the bound of the sum.  Out: the modulus of the last coefficient needed to reach it. */
+/* *bound in: the sum to reach; out: the modulus of the last coefficient needed to reach it. */
 static int
 modulus_bound(Spectrum s, FilterRule rule, const double *a, double *bound)
 {
@@ -131,8 +131,8 @@ rank_by_wave(Spectrum s, double *a, double *bound)
 	*bound = -*bound;
 }
 
-/* Drops the coefficients that are not above the bound; with keep_equal, those below it.  Returns
- * 1 if one of them was not zero. */
+/* Drops the coefficients with a <= bound, or with a < bound if keep_equal.  Returns 1 if one of them
+ * was not zero. */
 static int
 drop(Spectrum s, double complex *C, const double *a, double bound, int keep_equal, size_t *kept)
 {
@@ -155,7 +155,7 @@ filter_field(Spectrum s, const Filter *by, double *f, size_t *kept)
 	size_t n = (size_t)s.g.nu*s.g.nv, p;
 	double bound = by->bound;
 	Waves w;
-	int e = waves_of(s, by->log, f, &w), changed;
+	int e = waves_init(s, by->log, f, &w), changed;
 
 	if (e)
 		return e;

@@ -1,4 +1,4 @@
-/* filter.h - Algorithm 1: which waves of a grid field are kept, by (32) and variants of it. */
+/* filter.h - Algorithm 1: thresholds on the coefficients of a grid field, by (32) and variants. */
 #ifndef FILTER_H
 #define FILTER_H
 
@@ -28,11 +28,11 @@ typedef struct Filter {
 } Filter;
 
 /* Drops coefficients of f by the rule, in place.  If only zero coefficients are dropped,
- * f is left untouched, bit for bit.  *kept: the number that is kept, of nu nv.
+ * f is left untouched, bit for bit.  *kept is the number of coefficients kept, of nu nv.
  * Returns 1 if f has changed, 0 if not, or FILTER_ENOMEM. */
 int filter_field(Spectrum s, const Filter *by, double *f, size_t *kept);
 
-/* |C| in the percent of FILTER_PERCENT, spectrum_size(s) numbers; 0 if the rms is 0.
+/* |C| in percent as in FILTER_PERCENT, spectrum_size(s) numbers; 0 if the rms is 0.
  * Returns 0 or FILTER_ENOMEM. */
 int filter_percent(Spectrum s, int logarithm, const double *f, double *out);
 

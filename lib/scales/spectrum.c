@@ -42,7 +42,7 @@ spectrum_wave(Spectrum s, size_t q)
 	return hypot(m/(half*s.g.nu*chart_h(s.g)), n/(half*s.g.nv*chart_k(s.g)));
 }
 
-/* FFTW's REDFT10 is 4 sum f cos cos: C = e_m e_n of it, e_0 = 1/2, other e = 1/sqrt 2. */
+/* FFTW's REDFT10 is 4 sum f cos cos; times e_m e_n, e_0 = 1/2, other e = 1/sqrt 2, it is C. */
 static double
 dct_norm(Spectrum s, size_t q)
 {

@@ -34,8 +34,8 @@ int spectrum_columns(Spectrum s);
 /* Number of coefficients held, columns nv. */
 size_t spectrum_size(Spectrum s);
 
-/* The number of the nu nv coefficients that one in column m represents: 2 for a conjugate pair
- * of the dft with only one of the two in C, 1 for all others. */
+/* How many of the nu nv coefficients an entry of column m of C stands for: 2 for a conjugate pair of
+ * the dft of which C holds only one, 1 for all others. */
 int spectrum_weight(Spectrum s, int m);
 
 /* The wave number of coefficient q of C: cycles per unit of u, in any direction of (u,v),
