@@ -72,8 +72,7 @@ residual(const CellSystem *s, double *y)
 		}
 }
 
-/* The free nodes, numbered row by row of the rectangle within the held rings; -1 for
- * held ones. */
+/* The number of node p among the free nodes, row by row; -1 if it is held. */
 static int
 free_number(const CellSystem *s, int p)
 {
@@ -82,7 +81,7 @@ free_number(const CellSystem *s, int p)
 	return i < 0 || j < 0 || i >= nu || j >= s->g.nv - 2*s->held ? -1 : j*nu + i;
 }
 
-/* The lower triangle of one cell's A'A, added where both unknowns are free. */
+/* Adds the lower triangle of one cell's A'A to a, where both unknowns are free. */
 static void
 add_cell(const CellSystem *s, int i, int j, Spd *a)
 {

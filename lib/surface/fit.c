@@ -8,7 +8,7 @@
 #include "fit.h"
 
 static const double BLUNT_W = 30, BLUNT_ALPHA = 1, SHARP_W = 100, SHARP_ALPHA = 0.1;
-static const double TENSION = 3;        /* of the plate, in w^2: fewest steps on our meshes */
+static const double TENSION = 3;        /* of the plate, over w^2: fewest steps on our meshes */
 enum { MOST_CG = 60, TEN = 10 };
 /* With a free boundary surfaces bend easily and far.  CG gets few steps until a Gauss-Newton step
  * was short and E fell as predicted: more would be spent on bending that the next step undoes.
@@ -16,7 +16,7 @@ enum { MOST_CG = 60, TEN = 10 };
 enum { MOST_CG_FREE = 20, MOST_CG_NEAR = 400 };
 static const double NEAR = 0.9, NEARBY = 1e-4, WORTH_NEAR = 1e-6;
 static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a Gauss-Newton step */
-static const double FLAT = 1e-6;        /* share of E not worth another step */
+static const double FLAT = 1e-6;        /* predicted decrease over E that is not worth another step */
 /* Ratio of E to its previous value: below FAST it falls fast, below STEEP steeply; above STILL it
  * hardly falls. */
 static const double FAST = 0.1, STEEP = 0.5, STILL = 0.98;
@@ -24,7 +24,7 @@ static const double SURE = 0.1;         /* a step below this share of the tolera
                                          * converged whatever E does */
 static const double POOR = 0.25;        /* if the decrease is below this share of the predicted one,
                                          * the step is shortened */
-enum { SHORTER = 3 };           /* times at most */
+enum { SHORTER = 3 };           /* most times that a step is shortened */
 static const double CREEP = 5e-4;       /* least share of E by which ten steps must lower it */
 static const double WORTH = 1e-3;       /* least share of the decrease a CG step must add */
 
@@ -125,10 +125,10 @@ trial(Work *k, const double *phi, double t)
 }
 
 /* Step length along d, and E there.  The length is 1 if that lowers E by at least a quarter of the
- * predicted decrease.  Otherwise it is the minimum of the parabola through E at both ends with
- * the slope at the start, -2 <b,d>, a few times over.  *predicted is set to the predicted decrease
- * for that length.  Near folds E rises early along d; backtracking here is ten times cheaper than
- * rediscovering that with another CG solve. */
+ * predicted decrease.  Otherwise it is reduced, a few times at most, to the minimum of the parabola
+ * with E at both ends and the slope at the start, -2 <b,d>.  *predicted is set to the predicted
+ * decrease for that length.  Near folds E rises early along d; backtracking here is ten times cheaper
+ * than rediscovering that with another CG solve. */
 static double
 step_length(Work *k, const double *phi, double E, double bd, double *predicted, double *E2)
 {
@@ -177,7 +177,7 @@ step(Work *k, double *phi, double *E)
 
 /* How far the weights may be sharpened: not at all if the metric error is 16 % or more, fully below
  * 8 %.  It is 0.05-3 % for surfaces, 7 % for whole hemispheres of the cortex, 8-13 % after a light
- * filter, 20 % after one that left the coarse shape only.  Rounded to eighths, so that rounding
+ * filter, 20 % after a filter that left only the coarse shape.  Rounded to eighths, so that rounding
  * differences in the start do not change the weights. */
 static double
 sharpness(const Misfit *m, const double *phi)
@@ -194,31 +194,31 @@ set_weights(Misfit *m, double share)
 	m->alpha = BLUNT_ALPHA*pow(SHARP_ALPHA/BLUNT_ALPHA, share);
 }
 
-/* Where the last ten steps began. */
+/* The last ten steps: where each began. */
 typedef struct Past {
-	double E[TEN], way[TEN];        /* E, and the sum of the changes of all steps before */
+	double E[TEN], moved[TEN];      /* E, and the sum of the changes of all steps before */
 	int    steps;
 } Past;
 
 static void
-remember(Past *past, double E, double way)
+remember(Past *past, double E, double moved)
 {
 	past->E[past->steps%TEN] = E;
-	past->way[past->steps++%TEN] = way;
+	past->moved[past->steps++%TEN] = moved;
 }
 
-/* A shortened step says nothing about convergence, unless the last ten steps together barely
- * lowered E or barely moved: data that belong to no surface can creep for ever.  Nor does a step
- * only just below the tolerance while E is still falling fast; or, if CG reached its limit before
- * it found the slow part, while E is falling at all. */
+/* A shortened step says nothing about convergence, unless the last ten steps together barely lowered
+ * E or barely moved: with data that belong to no surface, steps can creep for ever.  Nor does a step
+ * only just below the tolerance while E is still falling fast, or, if CG reached its limit of steps
+ * and may have missed slow components, while E is falling at all. */
 static int
-converged(const FitOptions *o, const Outcome *is, double E, double way, const Past *past)
+converged(const FitOptions *o, const Outcome *is, double E, double moved, const Past *past)
 {
 	int then = past->steps%TEN, last = (past->steps - 1)%TEN;
 	double flat = is->spent ? STILL : FAST;
 
 	if (past->steps >= TEN
-	    && (past->E[then] - E < CREEP*past->E[then] || way - past->way[then] < o->tolerance))
+	    && (past->E[then] - E < CREEP*past->E[then] || moved - past->moved[then] < o->tolerance))
 		return 1;
 	if (is->cut)
 		return 0;
@@ -228,7 +228,7 @@ converged(const FitOptions *o, const Outcome *is, double E, double way, const Pa
 int
 fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 {
-	double E, share, way = 0;
+	double E, share, moved = 0;
 	Past past = { .steps = 0 };
 	int blunt, flat, done = 0;
 	Outcome is;
@@ -241,16 +241,16 @@ fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 	at->nu = m->g.nu, at->nv = m->g.nv, at->step = 0;
 	at->energy = E = misfit_energy(m, phi);
 	while (!done && at->step < o->most && isfinite(E)) {
-		remember(&past, E, way);
+		remember(&past, E, moved);
 		is = step(&k, phi, &E);
-		way += is.change;
+		moved += is.change;
 		at->step++;
 		at->energy = E;
 		at->change = is.change;
 		at->solves = k.solves;
 		if (o->report)
 			o->report(o->ctx, at);
-		done = converged(o, &is, E, way, &past);
+		done = converged(o, &is, E, moved, &past);
 		flat = done || E > STEEP*past.E[(past.steps - 1)%TEN];
 		share = blunt && is.accepted ? sharpness(m, phi) : 0;
 		if (blunt && is.accepted && (flat || share == 1)) {

@@ -8,12 +8,12 @@
 
 enum { FRAME_HELD = 2 };        /* rings where frame and second form are known */
 
-/* The data of the three systems. */
+/* The data of the three linear systems. */
 typedef struct Given {
 	Chart         g;
 	const double *lambda, *H;
-	double       *DM;       /* [node][2], the result of the first */
-	double       *pqn;      /* [node][3 fields][3 coordinates], that of the second */
+	double       *DM;       /* [node][2], the solution of the first */
+	double       *pqn;      /* [node][3 fields][3 coordinates], the solution of the second */
 } Given;
 
 /* Average and differences of the four corners of a cell, as weights. */
@@ -167,7 +167,7 @@ node_of_band(Chart g, const double *const phi[3], int i, int j, double pqn[9], d
 	return 0;
 }
 
-/* The inner node of the fine grid at or next to node i of n along one direction. */
+/* The inner node of the fine grid nearest to node i of n, along one direction. */
 static int
 beside(int i, int n, int fine)
 {
@@ -176,14 +176,14 @@ beside(int i, int n, int fine)
 	return j < 1 ? 1 : j > fine - 2 ? fine - 2 : j;
 }
 
-/* Rings between node i of n and the nearest end. */
+/* Steps from node i of n to the nearer end. */
 static int
 from_end(int i, int n)
 {
 	return i < n - 1 - i ? i : n - 1 - i;
 }
 
-/* Frame and second form on one ring of nodes, from the fine grid, which may be the same. */
+/* Frame and second form on one ring of nodes, read from the fine grid, which may be the same grid. */
 static int
 read_band(Given *s, int ring, Chart fine, double *const phi[3], int *at)
 {
@@ -204,8 +204,8 @@ read_band(Given *s, int ring, Chart fine, double *const phi[3], int *at)
 	return 0;
 }
 
-/* With B = (p q): lambda B (B'B)^(-1/2), the inverse square root of a 2 x 2 matrix in
- * closed form. */
+/* With B = (p q): lambda B (B'B)^(-1/2), with a closed form of the inverse square root of a 2 x 2
+ * matrix. */
 void
 frame_make_conformal(double lambda, double p[3], double q[3])
 {
@@ -243,8 +243,8 @@ positions(const Given *s, int held, double *const phi[3], SpdReport *report)
 	return e;
 }
 
-/* The three systems one after the other; frame_held outer rings of the frame are given, and phi_held
- * of phi. */
+/* Solves the three systems one after the other.  frame_held outer rings of the frame are given, and
+ * phi_held of phi. */
 static int
 solve(Given *s, int frame_held, int phi_held, double *const phi[3], SpdReport *report)
 {
@@ -260,9 +260,9 @@ solve(Given *s, int frame_held, int phi_held, double *const phi[3], SpdReport *r
 	return e ? e : positions(s, phi_held, phi, report);
 }
 
-/* With a band that lies on the grid, frame and second form are known on the ring inside the
- * outermost (this one lies in no cell with a free node then, and its frame is left 0);
- * with one of a finer grid, near enough on the outermost. */
+/* If the band lies on the grid itself, frame and second form are known on the second ring; the
+ * outermost then lies in no cell with a free node, and its frame is left 0.  If the band is of a
+ * finer grid, they are taken on the outermost ring, to first order in the steps. */
 static int
 from_band(Chart fine, double *const band[3], Given s, double *const phi[3], int *at, SpdReport *report)
 {

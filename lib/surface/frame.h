@@ -1,6 +1,6 @@
 /* frame.h - the surface of a given lambda and H, by the paper's frame method (doc/mathematics.md 7).
  *
- * Three linear least squares one after the other, all on cell centres:
+ * Three linear least squares problems one after the other, all on cell centres:
  *
  *   Codazzi     D_u + M_v = lambda^2 H_u,  D_v - M_u = -lambda^2 H_v   for D = (L-N)/2, M   (14)
  *   frame       (p, q, n) = (phi_u, phi_v, n) from the natural frame equations, which are
@@ -14,8 +14,8 @@
  * does not contain these conditions, and where H is large it shrinks the frame (the area of
  * "mkmesh -n 60000 cortex" at 129 x 129: 139; without this step 105, with it 133).
  *
- * phi is given on the three outer rings (the neighbourhood V of Theorem 1, (8)): from it come
- * the frame and the second fundamental form on the outer two.  The chart is a rectangle.
+ * phi is given on the three outer rings (the neighbourhood V of Theorem 1, (8)); they determine the
+ * frame and the second fundamental form on the outer two.  The chart is a rectangle.
  */
 #ifndef FRAME_H
 #define FRAME_H
@@ -36,15 +36,15 @@ enum { FRAME_EBAND = -10 };     /* the band has no tangent plane at node *at */
 int frame_surface(Chart g, const double *lambda, const double *H, double *const phi[3],
 	int *at, SpdReport *report);
 
-/* The same on a coarser grid g, whose border has the positions of the boundary curve and, to
- * first order in the steps, the frame and second form that the band of the fine grid has
- * beside them: a start for the surface method (surface.h).  *at is a node of the fine
- * grid.  Returns as frame_surface. */
+/* The same on a coarser grid g: a start for the surface method (surface.h).  The border of phi holds
+ * the boundary curve; frame and second form there are taken from the nearest nodes of the band of
+ * the fine grid, to first order in the steps.  *at is a node of the fine grid.  Returns as
+ * frame_surface. */
 int frame_coarse(Chart fine, double *const band[3], Chart g, const double *lambda, const double *H,
 	double *const phi[3], int *at, SpdReport *report);
 
-/* p and q made the nearest pair that is orthogonal and of length lambda, in the least
- * squares sense; a pair that is parallel or 0 stays as it is. */
+/* Replaces p and q by the orthogonal pair of length lambda that is nearest in the least squares
+ * sense; a pair that is parallel or 0 stays as it is. */
 void frame_make_conformal(double lambda, double p[3], double q[3]);
 
 #endif

@@ -6,7 +6,7 @@
 #include "misfitborder.h"
 #include "misfitnode.h"
 
-static const double FINEST = 2;         /* turn of the normal over a cell beyond which H is clipped */
+static const double FINEST = 2;         /* H is clipped where n would turn more over a cell */
 static const double BLUR = 1e-6;        /* of n where phi_u x phi_v is small, misfit.h */
 
 static double
@@ -89,9 +89,7 @@ misfit_free(Misfit *m)
 	memset(m, 0, sizeof *m);
 }
 
-/* ---- sums over the nodes ---------------------------------------------- */
-
-/* Rows are summed in their order, so that the sum does not depend on the threads. */
+/* Adds up the sums of the rows in a fixed order, so that the total does not depend on the threads. */
 static double
 total(const Misfit *m, const double *row)
 {

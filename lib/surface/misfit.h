@@ -7,20 +7,20 @@
  *         + w^2 o   ( |phi_u|^2 + |phi_v|^2 - 2 lambda^2 )^2 / (4 lambda^2 <lambda^2>)
  *         + w^2 o^2 ( (|phi_u|^2 - |phi_v|^2)^2/4 + <phi_u, phi_v>^2 ) / (lambda^2 <lambda^2>)
  *
- * with <lambda^2> the mean over the inner nodes.  The first two lines are (9), the last two (6).
+ * where <lambda^2> is the mean over the inner nodes.  The first two lines are (9), the last two (6).
  * The differences are those of lambdah.h (stencil.h), so that for a gridded surface and its own
- * lambda and H the first and the third line are 0, to rounding.  The others are 0 only if that
- * grid is conformal; if not, the residual channels nu and tau hold the difference.  E does not
- * depend on the unit of length.
+ * lambda and H the first and the third line are 0, to rounding.  The others are 0 only if that grid
+ * is conformal; if not, the residual channels nu and tau correct them.  E does not depend on the
+ * unit of length.
  *
- * o = 1/(1 + 4 q^2) is the weight of a node by its resolution: q^2 = (h^2 + k^2)/2
- * (lambda^2 H^2 + 4 |grad log lambda|^2), the turn of the normal and of the coordinate lines over one cell.
- * Truncation moves the grid of a conformal map off conformal by about q^2.  The third line is
+ * o = 1/(1 + 4 q^2) is the weight of a node by its resolution.  q is the turn of the normal and of the
+ * coordinate lines over one cell: q^2 = (h^2 + k^2)/2 (lambda^2 H^2 + 4 |grad log lambda|^2).  By
+ * truncation, the grid of a conformal map deviates from conformal by about q^2.  The third line is
  * hardly affected by truncation, so it is weighted by o, not o^2.  o = 0 where
  * lambda < 0.01 <lambda^2>^(1/2), and |H| is clipped so that lambda |H| times a step is <= 2.
  *
- * Where the surface folds over, n is smoothed: it goes to 0 with phi_u x phi_v, once that is
- * below a thousandth of lambda^2 (not with a residue, whose surface has no such places).
+ * Where the surface folds over, n is smoothed: once |phi_u x phi_v| is below a thousandth of lambda^2,
+ * n goes to 0 with it.  (Not with a residue: the surface it comes from has no folds.)
  *
  * Where the boundary is free, border nodes add the last two lines too, with w/10 and
  * differences that are one-sided across the border, of second order as those inside.
@@ -60,7 +60,7 @@ typedef struct Misfit {
 } Misfit;
 
 /* Copies lambda2 = lambda^2 > 0 and l2H = lambda^2 H; keeps the pointer residue (or NULL).  The
- * caller then sets w and alpha.  g has at least 3 nodes in either direction.  Returns 0 or
+ * caller then sets w and alpha.  g has at least 3 nodes in each direction.  Returns 0 or
  * MISFIT_ENOMEM; m then holds nothing to free. */
 int  misfit_init(Misfit *m, Chart g, const double *lambda2, const double *l2H, const Residue *residue);
 void misfit_free(Misfit *m);
@@ -77,8 +77,8 @@ size_t misfit_worst(const Misfit *m, const double *phi);
  * lambda^2: the relative error of the metric. */
 double misfit_scale_error(const Misfit *m, const double *phi);
 
-/* With J the derivative of the weighted residuals r at phi, E = |r|^2: J'r, half the
- * gradient of E, and J'J d, for displacements d. */
+/* With r the weighted residuals, E = |r|^2, and J their derivative at phi: misfit_gradient is J'r,
+ * half the gradient of E, and misfit_normal is J'J d for a displacement d. */
 void misfit_gradient(const Misfit *m, const double *phi, double *g);
 void misfit_normal(const Misfit *m, const double *phi, const double *d, double *g);
 

@@ -17,15 +17,15 @@ unknowns(const Misfit *m, int axis)
 	return m->free ? (Range){ 0, axis ? m->g.nv : m->g.nu } : stencil_inner(m->g, axis);
 }
 
-/* Numbers in a row of adjoint values, which has a place beyond each end. */
+/* Length of a row of adjoint values, with one more at each end. */
 static size_t
 row_length(const Misfit *m)
 {
 	return (size_t)m->g.nu + 2;
 }
 
-/* Nine rows of adjoint values of row j: W J d, or W r if d is NULL, with respect to phi_u, phi_v
- * and Delta phi, three numbers each. */
+/* The adjoint values of row j: change_adjoint of W J d, or of W r if d is NULL.  They fill nine rows,
+ * three each for phi_u, phi_v and Delta phi. */
 INLINE void
 fill_adjoint_row(const Misfit *m, const double *phi, const double *d, int j, double *f)
 {

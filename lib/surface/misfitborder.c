@@ -1,6 +1,6 @@
 /* misfitborder.c - the energy of the metric on a free boundary.
  *
- * The border is thin: one node at a time, in a fixed order. */
+ * The border has few nodes, so they are done one at a time, in a fixed order. */
 #include <math.h>
 
 #include "../grid/border.h"
@@ -8,15 +8,16 @@
 #include "misfitborder.h"
 #include "../base/vec3.h"
 
-/* Of w: lambda on the border is only extrapolated from inside (lambdah.h), and one-sided differences
- * have larger errors.  With 0.3 and 1 kinks of the outermost cells slow the steps down. */
+/* Share of w on the border, where lambda is only extrapolated from inside (lambdah.h) and one-sided
+ * differences have larger errors.  With 0.3 and with 1, kinks in the outermost cells slow the steps
+ * down. */
 static const double SHARE = 0.1;
 
 typedef struct Metric {
 	double r[3], w[3];      /* residuals of scale and (two) of shape; weights of their squares */
 } Metric;
 
-/* phi_u and phi_v at node (i,j). */
+/* The differences phi_u and phi_v at node (i,j). */
 static void
 slopes_at(Chart g, int i, int j, Stencil *u, Stencil *v)
 {

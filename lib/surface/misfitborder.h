@@ -1,7 +1,8 @@
 /* misfitborder.h - the energy of border nodes where the boundary is free.  Private to misfit.
  *
- * Each adds the residuals of the metric, the third and the fourth line of E with w/10, and none of
- * Delta phi.  phi_u and phi_v are central along the border, one-sided across it (stencil.h). */
+ * Each border node adds the residuals of the metric, the third and the fourth line of E with w/10, but
+ * no residuals of Delta phi.  phi_u and phi_v are central differences along the border and one-sided
+ * ones across it (stencil.h). */
 #ifndef MISFITBORDER_H
 #define MISFITBORDER_H
 
@@ -16,10 +17,10 @@ double misfit_weight(const Misfit *m, size_t p, double gradient2);
 /* Sets o of the border nodes. */
 void misfit_border_weights(Misfit *m);
 
-/* The contribution of the border to E; the node with the largest one, and that. */
+/* The contribution of the border to E; also the node that contributes most, and how much. */
 double misfit_border_energy(const Misfit *m, const double *phi, size_t *worst, double *most);
 
-/* g += the part of the border nodes in J'J d; without d, in J'r. */
+/* Adds the part of the border nodes in J'J d to g; if d is NULL, that in J'r. */
 void misfit_border_apply(const Misfit *m, const double *phi, const double *d, double *g);
 
 #endif

@@ -1,7 +1,7 @@
 /* misfitnode.h - the residuals of a node and their derivatives.  Private to misfit.
  *
- * Four neighbours of a row at a time, in vectors that the compiler splits where the processor
- * has shorter ones; the results of a node are the same either way. */
+ * Four neighbouring nodes of a row at a time, in vectors; the compiler splits them if those of the
+ * processor are shorter, with the same results. */
 #ifndef MISFITNODE_H
 #define MISFITNODE_H
 
@@ -15,7 +15,7 @@ enum { MISFIT_PARTS = 6 };      /* residuals of a node: normal, along phi_u and 
 
 #define DOT(a, b) ((a)[0]*(b)[0] + (a)[1]*(b)[1] + (a)[2]*(b)[2])
 
-/* Strips of 32 rows or fewer, the share of a thread at a time. */
+/* Number of strips of at most 32 rows; a thread does one at a time. */
 static inline int
 misfit_strips(Chart g)
 {

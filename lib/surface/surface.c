@@ -5,13 +5,14 @@
 
 #include "anchor.h"
 #include "frame.h"
+#include "../base/field.h"
 #include "../grid/resample.h"
 #include "surface.h"
 
-enum { COARSEST = 65*65 };      /* nodes at least */
+enum { COARSEST = 65*65 };      /* least nodes of a coarse grid */
 static const double SQUARE = 1.5;       /* ratio of the sides of a cell up to which both are coarsened */
 static const double ENOUGH = 1e-4;      /* tolerance of coarse grids */
-enum { ROUGH = 12 };            /* and their steps at most */
+enum { ROUGH = 12 };            /* most steps on coarse grids */
 static const double WHOLE[2] = { 1, 1 };
 
 typedef struct Level {
@@ -26,7 +27,7 @@ nodes(Chart g)
 	return (size_t)g.nu*g.nv;
 }
 
-/* Half as many steps in both directions, or in the one whose steps are clearly the shorter. */
+/* Half as many steps in both directions, or only in that with clearly shorter steps. */
 static Chart
 coarser(Chart g)
 {
@@ -54,7 +55,7 @@ level_free(Level *l)
 	free(l->phi);
 }
 
-/* Interpolates f from another grid into phi, times a factor; the outer rings of phi stay. */
+/* Interpolates f from another grid, times a factor, into phi, but not into its outer rings. */
 static int
 interpolate(Chart from, const double end[2], const double *f, double factor, Chart g, int rings, double *phi)
 {
@@ -71,7 +72,7 @@ interpolate(Chart from, const double end[2], const double *f, double factor, Cha
 	return e;
 }
 
-/* The level below f, with the boundary curve in its phi. */
+/* Makes the next coarser level l, with the boundary curve in its phi. */
 static int
 coarsen(const Level *f, Level *l)
 {
@@ -124,8 +125,8 @@ fit_finest(const Surface *s, double unit, const Level *l, const FitOptions *o, F
 	return r;
 }
 
-/* The start of the coarsest level if none is given: the frame method, with the band of the
- * finest. */
+/* The start of the coarsest level if none is given: by the frame method, from the band of the finest
+ * level. */
 static int
 start_from_frame(const Surface *s, const Level *l, double *finest)
 {
@@ -157,12 +158,12 @@ resolves(const Surface *s, Chart g)
 	return s->start && s->start_chart.nu >= g.nu && s->start_chart.nv >= g.nv;
 }
 
-/* Computes phi of level l, whose border is given if it is held, from the level below it. */
+/* Computes phi of level l, starting from the next coarser level; a held border is given. */
 static int
 descend(const Surface *s, double unit, const Level *l, const FitOptions *o, double *finest,
 	FitProgress *at)
 {
-	FitOptions way = *o;
+	FitOptions coarse = *o;
 	Level below = { .phi = NULL };
 	int r, rings = s->free ? 0 : 1;
 
@@ -181,10 +182,10 @@ descend(const Surface *s, double unit, const Level *l, const FitOptions *o, doub
 		return r;
 	if (l->phi == finest)
 		return fit_finest(s, unit, l, o, at);
-	way.tolerance = o->tolerance > ENOUGH ? o->tolerance : ENOUGH;
-	way.most = ROUGH;
-	way.sharpen = 0;
-	return fit_level(l, NULL, s->free, &way, at);
+	coarse.tolerance = o->tolerance > ENOUGH ? o->tolerance : ENOUGH;
+	coarse.most = ROUGH;
+	coarse.sharpen = 0;
+	return fit_level(l, NULL, s->free, &coarse, at);
 }
 
 /* Coarsening multiplies interior values by 0; set them to 0 first, since 0*NaN is NaN. */
@@ -199,7 +200,8 @@ clear_inside(Chart g, int rings, double *phi)
 				phi[c*nodes(g) + (size_t)j*g.nu + i] = 0;
 }
 
-/* The power of two below the mean of lambda: in this unit squares and products are finite. */
+/* The largest power of two not above the mean of lambda: in this unit of length, squares and products
+ * are finite. */
 static double
 unit_of(size_t n, const double *lambda)
 {
@@ -211,18 +213,9 @@ unit_of(size_t n, const double *lambda)
 	return ldexp(1, ilogb(fmax(mean, 1e-300)));
 }
 
-static void
-scale(size_t n, double factor, double *phi)
-{
-	size_t p;
-
-	for (p = 0; p < n; p++)
-		phi[p] *= factor;
-}
-
-/* The nodes that fix the rigid position of the result. */
+/* Chooses the nodes that fix the rigid position of the result. */
 static int
-target(const Surface *s, double unit, const double *phi, Anchor *a)
+choose_anchor(const Surface *s, double unit, const double *phi, Anchor *a)
 {
 	double *t;
 	int e;
@@ -246,12 +239,12 @@ descend_free(const Surface *s, double unit, const Level *finest, const FitOption
 	int r = 0, e = 0;
 
 	if (!s->adrift)
-		e = target(s, unit, finest->phi, &a);
+		e = choose_anchor(s, unit, finest->phi, &a);
 	clear_inside(s->g, s->start ? 0 : FRAME_BAND, finest->phi);
 	if (!e)
 		r = descend(s, unit, finest, o, finest->phi, at);
 	if (!e && r > 0 && s->adrift)
-		e = target(s, unit, NULL, &a);
+		e = choose_anchor(s, unit, NULL, &a);
 	if (!e && r > 0)
 		e = anchor_place(&a, s->g, finest->phi);
 	anchor_free(&a);
@@ -278,9 +271,9 @@ surface(const Surface *s, const FitOptions *o, double *phi, FitProgress *at)
 		}
 		if (!s->free)
 			clear_inside(s->g, s->start ? 1 : FRAME_BAND, phi);
-		scale(3*n, 1/unit, phi);
+		field_scale(3*n, 1/unit, phi, phi);
 		r = s->free ? descend_free(s, unit, &finest, o, at) : descend(s, unit, &finest, o, phi, at);
-		scale(3*n, unit, phi);
+		field_scale(3*n, unit, phi, phi);
 	}
 	free(finest.lambda2);
 	free(finest.l2H);
