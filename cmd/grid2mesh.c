@@ -62,7 +62,7 @@ file_name(const char *name, int i, char *out, size_t n)
 	return out;
 }
 
-/* At most one of mesh and grid is stdin, and the format keeps the order of vertices. */
+/* Exit 2 if mesh and grid are both stdin, or if the format does not keep the order of vertices. */
 static void
 check_on(const char *on, const char *grid, const MeshFormat *format)
 {
@@ -104,9 +104,9 @@ main(int argc, char *argv[])
 		if (!many && (g.frames > 1 || in.s.ahead))
 			die("%s: holds several grids: name the files by -o NAME-%%03d.off", in.name);
 		if (on && i == 0)
-			gridfile_on(on, &mesh);         /* not before: mesh2rect may be writing it */
-		gridfile_format(&in, &g, on ? &mesh : NULL, cmd_name_of(on), format, &bytes, &n);
-		cmd_emit(file_name(name, ++i, path, sizeof path), bytes, n);
+			gridfile_read_mesh(on, &mesh);         /* not before: mesh2rect may be writing it */
+		gridfile_bytes(&in, &g, on ? &mesh : NULL, cmd_name_of(on), format, &bytes, &n);
+		cmd_write_bytes(file_name(name, ++i, path, sizeof path), bytes, n);
 		free(bytes);
 		lhg_free(&g);
 	}

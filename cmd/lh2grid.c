@@ -70,7 +70,7 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
-/* Numbers for each node that a method needs, and that --follow adds. */
+/* Memory that each method needs, and that --follow adds: doubles for each node. */
 enum { SURFACE_NUMBERS = 31, FRAME_NUMBERS = 680, FOLLOW_NUMBERS = 3 };
 
 /* Replaces the channels of g by its surface; returns that surface, [3][nv][nu], to be freed. */
@@ -142,7 +142,7 @@ main(int argc, char *argv[])
 	}
 	while (cmd_read(&in, &g)) {
 		if (chained)
-			follow(&before, &g);
+			follow_start(&before, &g);
 		phi = convert(&in, &g, method, chained, &o);
 		cmd_pass(&in, &g);
 		if (chained)

@@ -48,7 +48,7 @@ main(int argc, char *argv[])
 	for (; optind < argc; optind++)
 		info(t.f, argv[optind], json);
 	cmd_text_close(&t);
-	cmd_emit(NULL, t.bytes, t.n);
+	cmd_write_bytes(NULL, t.bytes, t.n);
 
 	free(t.bytes);
 	return cmd_end();

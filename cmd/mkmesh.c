@@ -40,7 +40,7 @@ main(int argc, char *argv[])
 	Synth s;
 	Mesh m;
 
-	cmd_begin("mkmesh", head);              /* its name, for messages of kinds_manual */
+	cmd_begin("mkmesh", head);              /* kinds_manual may die, with this name in the message */
 	cmd_begin("mkmesh", usage = kinds_manual(formats_usage(head, headed, sizeof headed)));
 	while ((opt = cmd_getopt(argc, argv, "n:", longopt)) != -1)
 		switch (opt) {
@@ -69,7 +69,7 @@ main(int argc, char *argv[])
 	}
 	if (meshfile_write_mesh(&m, format, &bytes, &size))
 		die("no memory for the file of %d vertices", m.nv);
-	cmd_emit(NULL, bytes, size);
+	cmd_write_bytes(NULL, bytes, size);
 
 	mesh_free(&m);
 	free(bytes);

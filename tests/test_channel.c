@@ -214,7 +214,7 @@ kept_by_repair(void **state)
 		assert_true(channel_values(&d.channels, "heat")[i] == 10*d.file[i]);
 		assert_true(c->f[3*i] == d.file[i] && c->f[3*i+1] == -d.file[i] && c->f[3*i+2] == 0.5);
 	}
-	assert_int_equal(disk_give(&d, "back", 3, c->f, -1, &s), 0);
+	assert_int_equal(disk_channel_to_soup(&d, "back", 3, c->f, -1, &s), 0);
 	to = channel_values(&s.channels, "back");
 	assert_true(to[0] == -1 && to[1] == -1 && to[2] == -1);
 	for (i = 1; i < 7; i++)         /* a welded vertex has the numbers of the first */

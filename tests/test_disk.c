@@ -414,7 +414,7 @@ uv_to_soup(void **state)
 	assert_true(s.channels.n == 0 && s.T == 0);
 	assert_int_equal(disk_from_soup(&d, &s), 0);
 	for (i = 0; i < 2; i++) {
-		assert_int_equal(disk_uv(&d, u, v, 0.7, &s), 0);
+		assert_int_equal(disk_uv_to_soup(&d, u, v, 0.7, &s), 0);
 		assert_true(s.T == 0.7);
 		assert_memory_equal(channel_values(&s.channels, MESH_UV), want, sizeof want);
 	}

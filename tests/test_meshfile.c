@@ -605,22 +605,22 @@ promising(void **state)
 
 	(void)state;
 	for (i = 0; i < sizeof good/sizeof *good; i++)
-		if (meshfile_promising(good[i], strlen(good[i]), MOST, err))
+		if (meshfile_plausible(good[i], strlen(good[i]), MOST, err))
 			fail_msg("'%s': %s", good[i], err);
 	for (i = 0; i < sizeof bad/sizeof *bad; i++) {
-		assert_int_equal(meshfile_promising(bad[i], strlen(bad[i]), MOST, err), MESH_EFORMAT);
+		assert_int_equal(meshfile_plausible(bad[i], strlen(bad[i]), MOST, err), MESH_EFORMAT);
 		n = deflated(bad[i], strlen(bad[i]), z, sizeof z);
-		assert_int_equal(meshfile_promising(z, n - 8, MOST, err), MESH_EFORMAT);
+		assert_int_equal(meshfile_plausible(z, n - 8, MOST, err), MESH_EFORMAT);
 	}
 	n = deflated(good[0], strlen(good[0]), z, sizeof z);
-	assert_int_equal(meshfile_promising(z, n - 8, MOST, err), 0);
+	assert_int_equal(meshfile_plausible(z, n - 8, MOST, err), 0);
 	memset(head, 0, sizeof head);
-	assert_int_equal(meshfile_promising(head, sizeof head, MOST, err), MESH_EFORMAT);  /* an endless word */
+	assert_int_equal(meshfile_plausible(head, sizeof head, MOST, err), MESH_EFORMAT);  /* an endless word */
 	head[0] = 'x', head[9] = ' ';
-	assert_int_equal(meshfile_promising(head, sizeof head, MOST, err), MESH_EFORMAT);  /* no triangle */
+	assert_int_equal(meshfile_plausible(head, sizeof head, MOST, err), MESH_EFORMAT);  /* no triangle */
 	head[81] = 1;                   /* 256 triangles: 12884 bytes */
-	assert_int_equal(meshfile_promising(head, sizeof head, 12884, err), 0);
-	assert_int_equal(meshfile_promising(head, sizeof head, 12883, err), MESH_EFORMAT);
+	assert_int_equal(meshfile_plausible(head, sizeof head, 12884, err), 0);
+	assert_int_equal(meshfile_plausible(head, sizeof head, 12883, err), MESH_EFORMAT);
 }
 
 static void

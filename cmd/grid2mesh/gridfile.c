@@ -11,7 +11,7 @@
 #include "gridfile.h"
 
 void
-gridfile_on(const char *path, Soup *s)
+gridfile_read_mesh(const char *path, Soup *s)
 {
 	const double *uv;
 	int p, none = 0;
@@ -67,7 +67,7 @@ moved_mesh(const Lhg *g, const double *const phi[3], const Soup *on, const char 
 }
 
 void
-gridfile_format(const CmdInput *in, const Lhg *g, const Soup *on, const char *onname, const MeshFormat *format,
+gridfile_bytes(const CmdInput *in, const Lhg *g, const Soup *on, const char *onname, const MeshFormat *format,
 	char **bytes, size_t *n)
 {
 	const double *phi[3];

@@ -5,12 +5,12 @@
 #include "../../lib/meshfile/meshformat.h"
 #include "../shared/cmd.h"
 
-/* The mesh of --on with its (u,v), or die; the number of vertices without is noted. */
-void gridfile_on(const char *path, Soup *s);
+/* Reads the mesh of --on with its (u,v), or dies; notes the number of vertices without (u,v). */
+void gridfile_read_mesh(const char *path, Soup *s);
 
 /* The bytes of a mesh file of that format, or die: the nodes of the grid and two triangles for each
  * cell; or, if on is not NULL, the faces of on with its vertices moved to their (u,v) on the grid. */
-void gridfile_format(const CmdInput *in, const Lhg *g, const Soup *on, const char *onname, const MeshFormat *format,
+void gridfile_bytes(const CmdInput *in, const Lhg *g, const Soup *on, const char *onname, const MeshFormat *format,
 	char **bytes, size_t *n);
 
 #endif

@@ -1,7 +1,7 @@
-/* follow.c - each frame starts from a coarse lattice of the surface of the frame before.
+/* follow.c - each frame starts from a coarse lattice of the surface of the previous frame.
  *
- * So coarse a lattice chooses among the surfaces with this lambda and H.  Finer detail of the
- * frame before, which may be wrong, is not passed on.
+ * A lattice this coarse only selects one of the surfaces with this lambda and H.  Finer detail of the
+ * previous frame, which may be wrong, is not passed on.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@ static const char *const START[3] = { "start.x", "start.y", "start.z" };
 enum { LATTICE = 32 };          /* steps along the shorter side, or a few more */
 
 void
-follow(const Before *before, Lhg *g)
+follow_start(const Before *before, Lhg *g)
 {
 	int cells = (g->nu < g->nv ? g->nu : g->nv) - 1, step = cells > LATTICE ? cells/LATTICE : 1, c;
 	const LhgChannel *like = lhg_find(g, START[0]);

@@ -1,4 +1,4 @@
-/* framefit.h - a grid's fields to the frame method (lib/surface/frame.h), its failures to messages. */
+/* framefit.h - calls the frame method (lib/surface/frame.h) for a grid; failures become messages. */
 #ifndef FRAMEFIT_H
 #define FRAMEFIT_H
 

@@ -11,13 +11,13 @@ typedef struct Key {
 } Key;
 
 static size_t
-numbers(const Lhg *g)
+detail_length(const Lhg *g)
 {
 	return 3*(size_t)g->nu*g->nv;
 }
 
 static int
-fits(const Key *k, const Lhg *g)
+same_size(const Key *k, const Lhg *g)
 {
 	return k->detail && k->nu == g->nu && k->nv == g->nv;
 }
@@ -28,19 +28,19 @@ convert_key(const CmdInput *in, Lhg *g, int every, SurfaceFit o, KeyframesConver
 	Key k = { g->nu, g->nv, NULL };
 
 	claim(in->name, "the detail of key frames", (double)g->nu*g->nv, 8*(40 + 2.0*every));
-	o.detail = k.detail = cmd_alloc(numbers(g), sizeof *k.detail);
+	o.detail = k.detail = cmd_alloc(detail_length(g), sizeof *k.detail);
 	convert(in, g, &o);
 	return k;
 }
 
-/* A grid at the part t between key a and key b. */
+/* Converts the grid at parameter t, 0 to 1, between key frames a and b. */
 static void
 convert_between(const CmdInput *in, Lhg *g, const Key *a, const Key *b, double t, SurfaceFit o,
 	KeyframesConvert *convert)
 {
-	size_t n = numbers(g), p;
+	size_t n = detail_length(g), p;
 
-	if (fits(a, g) && fits(b, g)) {
+	if (same_size(a, g) && same_size(b, g)) {
 		o.forecast = cmd_alloc(n, sizeof *o.forecast);
 		for (p = 0; p < n; p++)
 			o.forecast[p] = (1 - t)*a->detail[p] + t*b->detail[p];
@@ -65,7 +65,7 @@ keyframes(CmdInput *in, int every, const SurfaceFit *o, KeyframesConvert *conver
 {
 	Lhg *g = cmd_alloc(every, sizeof *g);
 	Key last = { 0 }, next;
-	int i, n, room = 1;             /* the first of all frames is a key, and so is the last */
+	int i, n, room = 1;             /* the first frame of all is a key frame */
 
 	for (; (n = read_grids(in, g, room)) > 0; room = every) {
 		next = convert_key(in, &g[n-1], every, *o, convert);
@@ -78,7 +78,7 @@ keyframes(CmdInput *in, int every, const SurfaceFit *o, KeyframesConvert *conver
 		free(last.detail);
 		last = next;
 		if (n < room)
-			break;          /* the stream has ended and is closed */
+			break;          /* the stream has ended */
 	}
 	free(last.detail);
 	free(g);

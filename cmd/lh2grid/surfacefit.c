@@ -9,7 +9,7 @@
 #include "../shared/range.h"
 #include "surfacefit.h"
 
-/* Factor of the tolerance with residual channels: steps towards an exact fit gain digits fast. */
+/* Factor of the tolerance with residual channels: an exact fit exists, and the last steps converge fast. */
 static const double EXACT = 1e-4;
 
 static const char *const START[3] = { "start.x", "start.y", "start.z" };
@@ -35,7 +35,7 @@ surfacefit_rings(const Lhg *g, const SurfaceFit *o)
 	return o->free && !has_band(g) ? 0 : 1;
 }
 
-/* The lattice as three fields, and its place in the rectangle. */
+/* The start as three fields, to be freed; sets the lattice of s and its place in the rectangle. */
 static double *
 read_start(const CmdInput *in, const Lhg *g, Surface *s)
 {
@@ -83,7 +83,7 @@ read_residue(const CmdInput *in, const Lhg *g, const SurfaceFit *o, Residue *r)
 }
 
 static void
-report(void *ctx, const FitProgress *at)
+report_step(void *ctx, const FitProgress *at)
 {
 	const CmdInput *in = ctx;
 
@@ -106,7 +106,7 @@ void
 surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi)
 {
 	Surface s = { .g = chart_of(g), .lambda = lhg_find(g, "lambda")->f, .H = lhg_find(g, "H")->f };
-	FitOptions how = { o->tolerance, o->steps, 1, report, (void *)in };
+	FitOptions how = { o->tolerance, o->steps, 1, report_step, (void *)in };
 	double *start = has_start(g, o) ? read_start(in, g, &s) : NULL, began = seconds();
 	FitProgress at;
 	Residue residue;

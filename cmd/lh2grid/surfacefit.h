@@ -1,5 +1,4 @@
-/* surfacefit.h - a grid's channels to the surface method (lib/surface/surface.h), its failures to
- * messages. */
+/* surfacefit.h - calls the surface method (lib/surface/surface.h) for a grid; failures become messages. */
 #ifndef SURFACEFIT_H
 #define SURFACEFIT_H
 

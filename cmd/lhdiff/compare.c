@@ -6,7 +6,7 @@
 #include "../shared/cmd.h"
 #include "compare.h"
 
-/* The area, or dies unless squares and products of areas and lengths stay finite. */
+/* The area; dies unless it is positive and small enough for finite products of areas and lengths. */
 static double
 area(const char *place, const Mesh *m)
 {

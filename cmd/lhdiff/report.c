@@ -93,6 +93,6 @@ void
 report_write(Report *r)
 {
 	cmd_text_close(&r->text);
-	cmd_emit(NULL, r->text.bytes, r->text.n);
+	cmd_write_bytes(NULL, r->text.bytes, r->text.n);
 	free(r->text.bytes);
 }

@@ -70,7 +70,7 @@ least(size_t n, const double *f)
 	return min;
 }
 
-/* lambda is a length: it must not come out of the filter negative. */
+/* Raises lambda to floor where filtering made it less: a length must stay positive. */
 static void
 clamp(const CmdInput *in, const Lhg *g, double floor)
 {
@@ -132,7 +132,7 @@ scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g)
 	return f;
 }
 
-/* If nothing of a field is dropped, it is not changed, bit for bit. */
+/* A field of which no coefficient is dropped stays the same, bit for bit. */
 void
 scales_apply(const Scales *s, int k, const CmdInput *in, Lhg *g)
 {

@@ -46,7 +46,7 @@ spectable_write(const char *file, const CmdInput *in, const Lhg *g, const Scales
 		fprintf(t.f, "%d\t%d\t%.6g\t%.6g\t%.6g\n", m, n, spectrum_wave(space, q), lambda[q], H[q]);
 	}
 	cmd_text_close(&t);
-	cmd_emit(file, t.bytes, t.n);
+	cmd_write_bytes(file, t.bytes, t.n);
 	free(t.bytes);
 	free(lambda);
 	free(H);

@@ -1,4 +1,4 @@
-/* describe.c - a grid in words, or as JSON. */
+/* describe.c - describes a grid as text or JSON. */
 #include <stdio.h>
 #include <string.h>
 
@@ -11,7 +11,7 @@ typedef struct Range {
 	double min, max, mean;
 } Range;
 
-/* The mean by steps, so that no sum overflows. */
+/* The mean is updated with each sample, since a sum could overflow. */
 static Range
 range(const LhgChannel *c)
 {

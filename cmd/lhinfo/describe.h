@@ -1,4 +1,4 @@
-/* describe.h - a grid in words, or as JSON. */
+/* describe.h - describes a grid as text or JSON. */
 #ifndef CMD_DESCRIBE_H
 #define CMD_DESCRIBE_H
 

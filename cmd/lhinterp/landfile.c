@@ -6,7 +6,7 @@
 #include "../shared/cmd.h"
 #include "landfile.h"
 
-static const double FAR = 0.05;         /* of the boundary's length: a point this far is noted */
+static const double FAR = 0.05;         /* share of the boundary's length: a note for points farther from it */
 
 typedef struct Landmarks {
 	const char *name;       /* of the file */
@@ -15,7 +15,7 @@ typedef struct Landmarks {
 	int    *line;
 } Landmarks;
 
-/* The numbers of a line, at most 7; how many there are, or dies. */
+/* Reads the numbers of a line, at most 7; returns their count, or dies. */
 static int
 numbers(const char *name, int line, char *s, double x[7])
 {
@@ -84,7 +84,7 @@ check_order(const Landmarks *l)
 			    l->line[i], l->place[k][i], "AB"[k], l->place[k][i-1], l->place[k][0]);
 }
 
-/* s, cut into lines, as landmarks. */
+/* The landmarks in s, which is cut into lines. */
 static void
 parse(Landmarks *l, char *s, const Border *const b[2])
 {

@@ -20,7 +20,7 @@ each_line(const char *s, void (*use)(char *line, const void *ctx, Lhg *g), const
 	free(copy);
 }
 
-/* A step of a parent, behind its mark. */
+/* Adds a line of a parent's history, behind its mark, to the history of g. */
 static void
 add_step(char *line, const void *mark, Lhg *g)
 {
@@ -33,7 +33,7 @@ add_step(char *line, const void *mark, Lhg *g)
 	free(step);
 }
 
-/* A datum "key value", if other has the same value. */
+/* Adds the line "key value" to the metadata of g if other has the same value. */
 static void
 add_equal(char *line, const void *other, Lhg *g)
 {

@@ -8,7 +8,7 @@
 typedef struct Morph {
 	CmdInput A, B;
 	Lhg      a, b;
-	int      has_border, landmarks; /* border and match are set; by landmarks */
+	int      has_border, landmarks; /* border and match are set; match comes from landmarks */
 	Border   border[2];
 	Matching match;
 } Morph;

@@ -4,9 +4,9 @@
 #include "../../lib/grid/coons.h"
 #include "positions.h"
 
-/* Whether channel k is the x of positions; c: it and its y and z. */
+/* Whether channel k is the x of positions; sets c to it and its y and z. */
 static int
-triple(Lhg *g, int k, LhgChannel *c[3])
+find_triple(Lhg *g, int k, LhgChannel *c[3])
 {
 	char name[LHG_NAMELEN];
 	size_t n = strlen(g->chan[k].name);
@@ -34,7 +34,7 @@ positions_move(Lhg *g, const Rigid *r)
 	int k, i;
 
 	for (k = 0; k < g->nchan; k++) {
-		if (!triple(g, k, c))
+		if (!find_triple(g, k, c))
 			continue;
 		for (p = 0; p < c[0]->n; p++) {
 			for (i = 0; i < 3; i++)
@@ -55,7 +55,7 @@ positions_shift(Lhg *g, const double *d)
 	int k, i;
 
 	for (k = 0; k < g->nchan; k++) {
-		if (!triple(g, k, c))
+		if (!find_triple(g, k, c))
 			continue;
 		for (p = node = 0; p < c[0]->n; p++, node = lhg_next(g, c[0], node)) {
 			coons(g->nu, g->nv, d, (int)(node%g->nu), (int)(node/g->nu), e);

@@ -5,11 +5,13 @@
 #include "../../lib/base/procrustes.h"
 #include "quarters.h"
 
-enum { SIDE = 128 };                    /* points a side */
-static const double CLEAR = 1.5;        /* note if the distance is this times that of the best turn, .. */
-static const double FAR = 0.1;          /* .. and more than this, in units of their size; .. */
-static const double NEAR = 1.25;        /* .. turns within this factor of the best fit equally well; .. */
-static const double TURN = M_PI/3;      /* .. note if B is rotated by this more than by the best */
+enum { SIDE = 128 };                    /* points on each side */
+
+/* Distances are root mean squares between the borders after the best rigid motion, in units of their size. */
+static const double CLEAR = 1.5;        /* B fits clearly better if its distance falls by this factor .. */
+static const double FAR = 0.1;          /* .. and was larger than this, */
+static const double TURN = M_PI/3;      /* or if its rotation in space becomes less by this angle */
+static const double NEAR = 1.25;        /* distances within this factor count as equal */
 
 /* Points at equal places from side first on, centred and of root mean square 1. */
 static void
@@ -28,8 +30,8 @@ sample(const Border *b, int first, double *x)
 		x[i] *= sqrt(4*SIDE)/sum;
 }
 
-/* The number of quarter turns that fits best; of equally good ones, that which rotates B least.  If B is
- * not aligned, turns that need a much larger rotation in space are excluded. */
+/* The number k of quarter turns of the corners that fits best; among equally good ones, the one that rotates B
+ * least in space.  If B is not aligned, k that need a much larger rotation than k = 0 are excluded. */
 static int
 best_turn(const double rms[4], const double angle[4], int aligned)
 {

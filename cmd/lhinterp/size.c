@@ -6,7 +6,7 @@
 #include "../shared/chartof.h"
 #include "size.h"
 
-static const double APART = 2;          /* ratio of sizes above which a note is due */
+static const double APART = 2;          /* ratio of sizes above which a note is printed */
 
 /* The root of the integral of lambda^2 du dv, by the trapezoidal rule. */
 static double
@@ -26,7 +26,7 @@ size_of(const Lhg *g)
 	return sqrt(sum*chart_h(c)*chart_k(c));
 }
 
-/* The channels of g in units of length, times s or 1/s. */
+/* Multiplies the channels of g in length by s, those in 1/length by 1/s. */
 static void
 scale_channels(Lhg *g, double s)
 {

@@ -30,10 +30,10 @@ uv_write(const char *file, Soup *s, const Disk *d, const double *u, const double
 	char *bytes;
 	size_t n;
 
-	if (disk_uv(d, u, v, T, s))
+	if (disk_uv_to_soup(d, u, v, T, s))
 		die("%s: %s", file, s->err);
 	if (meshfile_write(s, meshformat_of(file), &bytes, &n))
 		die("%s: no memory for a mesh of %d vertices", file, s->nv);
-	cmd_emit(file, bytes, n);
+	cmd_write_bytes(file, bytes, n);
 	free(bytes);
 }

@@ -39,7 +39,7 @@ kinds_list(void)
 
 	for (i = 0; synth_kind(i); i++)
 		snprintf(names + strlen(names), sizeof names - strlen(names), "%s\n", synth_kind(i)->name);
-	cmd_emit(NULL, names, strlen(names));
+	cmd_write_bytes(NULL, names, strlen(names));
 }
 
 void

@@ -1,9 +1,9 @@
-/* borderread.c - the boundary curve of a grid of either kind. */
+/* borderread.c - the boundary curve of a grid with x y z or band. */
 #include "borderread.h"
 
-/* Coordinate c of the border, from a channel that covers it. */
+/* Sets coordinate c of the border from a channel that has all border nodes. */
 static void
-pick(const Lhg *g, const LhgChannel *from, int c, Border *b)
+border_coordinate(const Lhg *g, const LhgChannel *from, int c, Border *b)
 {
 	size_t k, p = 0;
 	int i, j;
@@ -26,7 +26,7 @@ border_read(const CmdInput *in, const Lhg *g, Border *b)
 		die("%s: no memory for the border of %d x %d nodes", in->name, g->nu, g->nv);
 	for (c = 0; c < 3; c++) {
 		cmd_need(in, g, name[band][c], band ? LHG_BORDER : LHG_GRID);
-		pick(g, lhg_find(g, name[band][c]), c, b);
+		border_coordinate(g, lhg_find(g, name[band][c]), c, b);
 	}
 	if (border_measure(b))
 		die("%s: the boundary has no length", in->name);

@@ -61,9 +61,9 @@ wrong_option(char *argv[], const struct option *o, int c)
 	misuse("unknown or ambiguous option %s", argv[optind - 1]);
 }
 
-/* After --help and --version. */
+/* Ends the program after --help or --version. */
 static _Noreturn void
-answered(void)
+exit_answered(void)
 {
 	if (fflush(stdout) == EOF || ferror(stdout))
 		die("stdout: %s", strerror(errno));
@@ -83,8 +83,8 @@ cmd_getopt(int argc, char *argv[], const char *shortopt, const struct option *lo
 		case 'o': cmd.output = strcmp(optarg, "-") == 0 ? NULL : optarg; break;
 		case 'q': message_verbosity(-1); break;
 		case 'v': message_verbosity(1); break;
-		case 'h': fputs(cmd.usage, stdout); answered();
-		case 'V': printf("%s (lhgrid) %s\n", cmd.name, CMD_VERSION); answered();
+		case 'h': fputs(cmd.usage, stdout); exit_answered();
+		case 'V': printf("%s (lhgrid) %s\n", cmd.name, CMD_VERSION); exit_answered();
 		case CMD_NO_HISTORY: history_none(); break;
 		case ':':
 		case '?': wrong_option(argv, longopt, c);
@@ -107,7 +107,7 @@ cmd_operands(int argc, char *argv[], int min, int max)
 		misuse("operand %s is one too many", argv[optind + max]);
 	for (i = optind; i < argc; i++)
 		dashed |= argv[i][0] == '-' && argv[i][1];
-	if (dashed)                                     /* or a shell would read options */
+	if (dashed)                                     /* or they would be read as options */
 		history_word("--", "", "", "");
 	for (i = optind; i < argc; i++)
 		history_word("", "", "", argv[i]);

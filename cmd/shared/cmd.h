@@ -55,7 +55,7 @@ int cmd_getopt(int argc, char *argv[], const char *shortopt, const struct option
  * Operand 0 is argv[optind]. */
 int cmd_operands(int argc, char *argv[], int min, int max);
 
-/* The number in [lo,hi] that s spells without a tail, or exit 2. */
+/* The number in [lo,hi] that s is, without other characters; or exit 2. */
 double opt_double(const char *s, double lo, double hi, const char *option);
 long   opt_long(const char *s, long lo, long hi, const char *option);
 
@@ -101,7 +101,7 @@ void cmd_pass(const CmdInput *in, Lhg *g);
 
 /* Write bytes (not a grid) to path, or to -o or stdout if path is NULL.  One output is open at a
  * time. */
-void cmd_emit(const char *path, const void *bytes, size_t n);
+void cmd_write_bytes(const char *path, const void *bytes, size_t n);
 
 /* The samples of a channel that must have that support, or die; the message names the command that
  * makes the channel.  cmd_add appends a channel of zeros, or dies. */

@@ -8,8 +8,8 @@
 
 #include "private.h"
 
-/* Whether a call that moved nothing is to be repeated.  Waits for a descriptor that another process
- * made non-blocking. */
+/* Whether to repeat a call that moved no byte.  If another process made the descriptor non-blocking, waits until
+ * it is ready. */
 static int
 again(int fd, short what)
 {
@@ -59,7 +59,7 @@ descriptor_stream(int fd, const char *mode)
 	return fopencookie((void *)(intptr_t)fd, mode, (cookie_io_functions_t){ read_some, write_all, NULL, close_descriptor });
 }
 
-/* Otherwise a file opened later would get one of these numbers, and results or messages be written into it. */
+/* Without this a file opened later would get one of these numbers, and results or messages would go into it. */
 int
 descriptor_fill(void)
 {

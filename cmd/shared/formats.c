@@ -5,8 +5,7 @@
 #include "../../lib/meshfile/meshformat.h"
 #include "formats.h"
 
-/* The list that belongs at a mark "{..}", in buf; returns the length of the mark, 0 if it is
- * none. */
+/* Writes the list for the mark "{..}" at s to buf.  Returns the length of the mark, 0 if s begins with none. */
 static size_t
 list_at(const char *s, char buf[MESHFORMAT_LIST])
 {

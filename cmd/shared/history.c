@@ -25,7 +25,7 @@ static struct {
 typedef struct Line {
 	const char *s;
 	size_t n;               /* bytes, with the LF */
-	int    age;             /* merges it has been through: the marks before it */
+	int    age;             /* merges it went through: the number of its marks */
 } Line;
 
 void
@@ -137,8 +137,8 @@ oldest(const Line *l, size_t n)
 	return at;
 }
 
-/* Puts one line in the place of the oldest lines of text, so that at most MOST bytes are left: how many
- * steps they were, and the CRC-32 of their bytes. */
+/* Replaces the oldest lines of text by one line with the number of their steps and the CRC-32 of their bytes,
+ * so that at most MOST bytes are left. */
 static void
 shorten(char *text)
 {

@@ -9,7 +9,7 @@
 #include "cmd.h"
 #include "private.h"
 
-static FILE *standard_input;            /* a stream over stdin, once it was read */
+static FILE *standard_input;            /* a stream over stdin; NULL until stdin is read */
 
 const char *
 cmd_name_of(const char *path)
@@ -38,8 +38,8 @@ in_close(FILE *f)
 		fclose(f);
 }
 
-/* All of f behind the *n bytes at head, which were read before; closes f.  look, if not NULL, is
- * given the first 64 KiB of a longer input. */
+/* Reads the rest of f and closes it.  Returns all bytes, beginning with the *n bytes at head, which were read
+ * before; *n is their number.  look, if not NULL, is called with the first 64 KiB of a longer input. */
 static char *
 slurp(FILE *f, const char *name, CmdLook *look, const char *head, size_t *n)
 {

@@ -13,7 +13,7 @@ load_look(const char *name, const char *head, size_t n)
 {
 	char err[MESH_ERRLEN];
 
-	if (meshfile_promising(head, n, claim_input(), err))
+	if (meshfile_plausible(head, n, claim_input(), err))
 		die("%s: %s", name, err);
 }
 

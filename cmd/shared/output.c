@@ -121,8 +121,8 @@ temp_name(const char *path, char temp[PATH_MAX + 16])
 	strcat(temp, "XXXXXX");
 }
 
-/* Gives fd the mode and, where this process may, the owner and group of the file that it replaces.
- * A group that it may not give gets no more than others have. */
+/* Gives fd the mode and, where this process may, the owner and group of the file that it replaces.  If it may
+ * not set the group, the group's permissions are cut to those of others. */
 static int
 keep_access(int fd, const struct stat *was)
 {
@@ -135,8 +135,8 @@ keep_access(int fd, const struct stat *was)
 	return fchmod(fd, mode);
 }
 
-/* A new file in the folder of o->path, with the access of the file it replaces (was, or NULL), else
- * that which open would give. */
+/* Opens a new file in the folder of o->path, with the permissions of the file it replaces (was), or if was is
+ * NULL those of any new file. */
 static void
 open_beside(Out *o, const struct stat *was)
 {
@@ -226,7 +226,7 @@ cmd_pass(const CmdInput *in, Lhg *g)
 }
 
 void
-cmd_emit(const char *path, const void *bytes, size_t n)
+cmd_write_bytes(const char *path, const void *bytes, size_t n)
 {
 	out_open(&output.out, path ? path : cmd_output());
 	if (fwrite(bytes, 1, n, output.out.f) != n)

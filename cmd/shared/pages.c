@@ -70,7 +70,7 @@ __wrap_malloc(size_t n)
 	return mark(__real_malloc(n), n);
 }
 
-/* n*size has not overflowed where there is an array. */
+/* Where calloc returned an array, n*size did not overflow. */
 void *
 __wrap_calloc(size_t n, size_t size)
 {

@@ -36,7 +36,8 @@ char *history_with_step(const char *past);
 void cmd_close_output(void);    /* finish -o FILE or stdout, or die */
 void cmd_drop_output(void);     /* remove an incomplete file */
 
-/* Where an output to path goes: symbolic links followed, dangling ones too, to[PATH_MAX].  Dies of a loop. */
+/* The file that an output to path replaces, in to[PATH_MAX]: symbolic links are followed, dangling ones too.  Dies
+ * if the links form a loop. */
 void output_follow_links(const char *path, char *to);
 
 /* ---- descriptor.c ---- */
@@ -45,9 +46,9 @@ void output_follow_links(const char *path, char *to);
  * would block, or that move only a part are continued. */
 FILE *descriptor_stream(int fd, const char *mode);
 
-/* Opens /dev/null in the places of stdin, stdout and stderr where they are closed, so that no file
- * opened later gets their numbers.  The first two then fail when they are used; stderr is lost.
- * Returns 0 or -1. */
+/* Opens /dev/null in place of stdin, stdout and stderr if they are closed, so that no file opened later gets
+ * their numbers.  stdin and stdout then fail when they are used; messages to stderr are lost.  Returns 0 or
+ * -1. */
 int descriptor_fill(void);
 
 /* At most four threads for each processor, whatever OMP_NUM_THREADS: each has a stack. */

@@ -19,11 +19,11 @@ void range_lambda_h(const CmdInput *in, const Lhg *g, const double *lambda, cons
  * a coordinate spans more than a thousand times that. */
 void range_width(const CmdInput *in, const Lhg *g, const char *name);
 
-/* A field, the product of channels, of g's nodes whose squares are to be summed: not beyond
- * 1e100, or die; what: its name in the message. */
+/* A field on the nodes of g, computed from channels, whose squares are summed: no value beyond 1e100, or
+ * die.  what: its name in the message. */
 void range_field(const CmdInput *in, const Lhg *g, const char *what, const double *f);
 
-/* A channel of g whose squares are to be summed: not beyond 1e100, or die. */
+/* A channel of g whose squares are summed: no sample beyond 1e100, or die. */
 void range_channel(const CmdInput *in, const Lhg *g, const char *name);
 
 #endif

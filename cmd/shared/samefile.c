@@ -1,4 +1,4 @@
-/* samefile.c - two names of one file. */
+/* samefile.c - whether two names are the same file. */
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,9 +9,9 @@
 #include "private.h"
 #include "samefile.h"
 
-/* Where an output to path goes, without links, also of a file that is not there. */
+/* The absolute path, without links, of the file that an output to path replaces or makes. */
 static char *
-place(const char *path)
+resolved_path(const char *path)
 {
 	char to[PATH_MAX], folder[PATH_MAX + 2], *name, *real, *all;
 
@@ -30,7 +30,7 @@ place(const char *path)
 int
 same_file(const char *a, const char *b)
 {
-	char *p = place(a), *q = place(b);
+	char *p = resolved_path(a), *q = resolved_path(b);
 	int same = strcmp(p, q) == 0;
 
 	free(p);

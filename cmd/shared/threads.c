@@ -6,8 +6,8 @@
  *                       machine (make -j, a batch over a folder) this costs several times
  *                       as much as the work.  A hundredth of it costs an idle machine
  *                       nothing.
- * OPENBLAS_NUM_THREADS  Our calls of BLAS use one thread.  OpenBLAS starts its others all
- *                       the same, and where they get no memory it never ends.
+ * OPENBLAS_NUM_THREADS  Our calls of BLAS use one thread.  OpenBLAS starts the others
+ *                       anyway, and hangs if they get no memory.
  *
  * The loader calls .preinit_array before the constructors of libraries, but an environment
  * made there by setenv is replaced by the C library's.  So each setting replaces a variable
@@ -34,7 +34,7 @@ static struct {
 } replaced[2];
 static int nreplaced;
 
-/* The place of variable name, or NULL. */
+/* The entry of variable name in env, or NULL. */
 BEFORE_MAIN static char **
 find(char **env, const char *name)
 {
@@ -61,7 +61,7 @@ replace_spare(char **env, char *setting)
 	*at = setting;
 }
 
-/* A setting of the user's stays. */
+/* Keeps settings that the user made. */
 BEFORE_MAIN static void
 before_libraries(int argc, char *argv[], char *env[])
 {

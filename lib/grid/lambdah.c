@@ -64,7 +64,7 @@ clamp(double x, double lo, double hi)
 	return x < lo ? lo : x > hi ? hi : x;
 }
 
-/* The n nodes p = first + l*stride of one side, from the rings at p + in and p + 2 in. */
+/* Extrapolates to the n nodes p = first + l*stride of a side from the rings at p + in and p + 2 in. */
 static void
 extend(int n, int first, int stride, int in, double *lambda, double *H)
 {
@@ -77,7 +77,7 @@ extend(int n, int first, int stride, int in, double *lambda, double *H)
 	}
 }
 
-/* The outermost ring of nodes, one open side after the other. */
+/* Extrapolates to the nodes of each open side. */
 static void
 extend_sides(Chart g, double *lambda, double *H)
 {

@@ -22,8 +22,8 @@ typedef struct LambdahFlaws {
  *   lambda^2 = (|phi_u|^2 + |phi_v|^2)/2                                     (25)
  *   H        = <phi_uu + phi_vv, n>/(2 lambda^2)                             (26)-(29)
  *
- * Inside: central differences of second order with steps h and k.  On the outermost ring there
- * are no differences, as a corner of the rectangle is a square-root singularity of the map.  H
+ * Inside: central differences of second order with steps h and k.  On the outermost ring no
+ * differences are used, as a corner of the rectangle is a square-root singularity of the map.  H
  * is extrapolated linearly and lambda geometrically from the two rings inside it; the ratio for
  * lambda is limited to [1/2, 2] and the increment of H to |H| of the inner ring.
  * doc/mathematics.md 4.3, 4.4.
@@ -34,8 +34,8 @@ typedef struct LambdahFlaws {
  * needs it. */
 LambdahFlaws lambdah(Chart g, const double *const phi[3], int curvature, double *lambda, double *H);
 
-/* Limits |H| within eight nodes of a corner, of grids larger than 24 nodes, to four times its
- * root mean square elsewhere. */
+/* Limits |H| within eight nodes of a corner to four times its root mean square elsewhere, if the grid
+ * has more than 24 nodes in both directions. */
 void lambdah_limit_corners(Chart g, double *H);
 
 /* The residual channels: the part of the fundamental forms that (lambda, H) do not determine on

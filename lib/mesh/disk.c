@@ -1,4 +1,4 @@
-/* disk.c - makes a disk of a polygon soup, or gives the reason why it is none. */
+/* disk.c - makes a disk of a polygon soup, or gives the reason why this is impossible. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -50,8 +50,8 @@ checkfinite(const Soup *s, char *err)
 	return 0;
 }
 
-/* Renumbers the vertices: vertex v becomes to[v] < nnew, or is dropped if that is -1.
- * Of several that become one, the first gives position, channels and name. */
+/* Renumbers the vertices: vertex v becomes to[v] < nnew, or is dropped if to[v] is -1.  Where several become
+ * one, the first gives position, channels and number in the file. */
 static void
 renumber(Disk *d, const int *to, int nnew)
 {
@@ -93,9 +93,9 @@ dropunused(Disk *d, int *to)
 	    before - n == 1 ? "vertex" : "vertices");
 }
 
-/* Are there two faces or more that share no vertex at all? */
+/* Whether there are several faces, and no vertex belongs to two of them. */
 static int
-shares_no_vertex(const Soup *s, int *used)
+no_vertex_shared(const Soup *s, int *used)
 {
 	int i;
 
@@ -140,7 +140,7 @@ turnfaces(Mesh *m, const signed char *turn)
 	return most ? m->nf - n : n;
 }
 
-/* Turns faces so that neighbours agree, and finds the twins again. */
+/* Turns faces so that neighbours agree, then computes the twins again. */
 static int
 orient(Disk *d, Topology *t)
 {
@@ -214,7 +214,7 @@ build(Disk *d, const Soup *s, int *scratch)
 	for (v = 0; v < s->nv; v++)
 		d->file[v] = d->became[v] = v;
 	dropunused(d, scratch);
-	if (shares_no_vertex(s, scratch) && (e = weld(d, scratch)) != 0)
+	if (no_vertex_shared(s, scratch) && (e = weld(d, scratch)) != 0)
 		return e;
 	if (channels_gather(&d->channels, &s->channels, m->nv, d->file, 0))
 		return mesh_fail(d->err, MESH_ENOMEM, "no memory for the channels of %d vertices", m->nv);
@@ -239,7 +239,7 @@ disk_from_soup(Disk *d, const Soup *s)
 	return e;
 }
 
-/* The number of a side after its face is turned. */
+/* The number that a side has after its face is turned. */
 static int
 flipped(int side)
 {
@@ -263,7 +263,7 @@ disk_flip(Disk *d)
 }
 
 int
-disk_give(const Disk *d, const char *name, int n, const double *f, double none, Soup *s)
+disk_channel_to_soup(const Disk *d, const char *name, int n, const double *f, double none, Soup *s)
 {
 	double *to = channel_add(&s->channels, name, n, (size_t)s->nv);
 	int i, k;
@@ -277,7 +277,7 @@ disk_give(const Disk *d, const char *name, int n, const double *f, double none, 
 }
 
 int
-disk_uv(const Disk *d, const double *u, const double *v, double T, Soup *s)
+disk_uv_to_soup(const Disk *d, const double *u, const double *v, double T, Soup *s)
 {
 	double *uv = mesh_alloc(s->err, (size_t)d->m.nv, 2 * sizeof *uv);
 	size_t i;
@@ -290,7 +290,7 @@ disk_uv(const Disk *d, const double *u, const double *v, double T, Soup *s)
 		uv[2*i+1] = fmin(fmax(v[i], 0), T);
 	}
 	s->T = T;
-	e = disk_give(d, MESH_UV, 2, uv, -1, s);
+	e = disk_channel_to_soup(d, MESH_UV, 2, uv, -1, s);
 	free(uv);
 	return e;
 }

@@ -1,4 +1,4 @@
-/* disk.h - makes a disk of a polygon soup, or gives the reason why it is none. */
+/* disk.h - makes a disk of a polygon soup, or gives the reason why this is impossible. */
 #ifndef DISK_H
 #define DISK_H
 
@@ -29,10 +29,10 @@ void disk_flip(Disk *d);
  * s        in   the soup of disk_from_soup; a channel of that name is overwritten
  *
  * Returns 0 or MESH_ENOMEM, with the reason in s->err. */
-int disk_give(const Disk *d, const char *name, int n, const double *f, double none, Soup *s);
+int disk_channel_to_soup(const Disk *d, const char *name, int n, const double *f, double none, Soup *s);
 
 /* The same for the (u,v) of the disk, [d->m.nv] each: the channel MESH_UV of s, and s->T.  (u,v)
  * outside [0,1] x [0,T], which a map of negative cotangents may have, are moved to its border. */
-int disk_uv(const Disk *d, const double *u, const double *v, double T, Soup *s);
+int disk_uv_to_soup(const Disk *d, const double *u, const double *v, double T, Soup *s);
 
 #endif

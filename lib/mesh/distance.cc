@@ -1,7 +1,7 @@
 /* distance.cc - distances of two surfaces and self-intersections, by CGAL. */
 
-/* The tree of the Hausdorff distance asserts that no box within another is nearer than it, and throws
- * where rounding breaks this; the search is correct all the same. */
+/* CGAL's search for the Hausdorff distance asserts that a box inside another is not nearer than the other, and
+ * throws where rounding violates this.  The search is correct without the assertion. */
 #define CGAL_NO_PRECONDITIONS
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -10,7 +10,7 @@ extern "C" {
 
 enum {
 	DISTANCE_ENOMEM = -1,
-	DISTANCE_EAREA  = -2,   /* no face has an area */
+	DISTANCE_EAREA  = -2,   /* all faces have zero area */
 	DISTANCE_EEDGE  = -3,   /* an edge of three faces, or faces of opposite orientation */
 	DISTANCE_ECGAL  = -4    /* CGAL gave up */
 };
@@ -23,7 +23,7 @@ void distance_vertices(const Mesh *a, const Mesh *b, double *max, double *mean);
  * are left out.  Coordinates must be finite.
  *
  * error  in   > 0, in the unit of length.  If the surfaces are farther apart than this, the
- *             time depends on their sizes only; else it grows as 1/error: two
+ *             time depends on their sizes only; otherwise it grows as 1/error: two
  *             triangulations of one plane, of 5000 and 6000 vertices, took 0.2, 2 and
  *             29 s for an error of 1e-2, 1e-3 and 1e-4 of the square root of the area
  * d      out  the distance to +-error: exactly 0 if the faces are the same, error if

@@ -9,7 +9,7 @@
 #include "polypriv.h"
 #include "../base/vec3.h"
 
-enum { MAXCORNERS = 10000 };            /* ear clipping takes time as its square */
+enum { MAXCORNERS = 10000 };            /* the time of ear clipping grows with the square */
 
 static int
 triangle(Polygon *p)
@@ -21,7 +21,7 @@ triangle(Polygon *p)
 	return norm3(n) > POLYGON_FLAT;
 }
 
-/* The smaller shape of the triangles i i+1 i+2 and i i+2 i+3 along the normal of the quad. */
+/* The shapes of the triangles i i+1 i+2 and i i+2 i+3 along the normal of the quad: the smaller one. */
 static double
 smaller_shape(const Polygon *p, int i, const double side[3])
 {
@@ -75,7 +75,7 @@ repeated_vertex(const Soup *s, int f, int *mark)
 	return -1;
 }
 
-/* Counts the triangles that will result, and the corners of the largest face. */
+/* Counts the triangles after splitting, and the corners of the largest face. */
 static int
 count_triangles(const Soup *s, int *mark, size_t *ntri, int *most, char *err)
 {

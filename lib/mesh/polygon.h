@@ -5,7 +5,7 @@
 #include "mesh.h"
 
 /* Split every face of s into triangles of its own corners, in the order of the faces:
- * triangles are kept; quads are split by the diagonal whose worse triangle is better; larger
+ * triangles are kept; quads are split by the diagonal that makes the worse triangle better; larger
  * polygons by ear clipping in their average plane.  *tri is malloc'd, [*ntri][3].
  *
  * Returns 0, MESH_ENOMEM or MESH_EFACE with the face in err: fewer than 3 corners, a

@@ -5,8 +5,8 @@
 
 #include <stddef.h>
 
-#define POLYGON_FLAT 1e-14      /* area over longest edge squared that counts as none */
-#define POLYGON_TINY 1e-150     /* lengths whose squares underflow a double */
+#define POLYGON_FLAT 1e-14      /* a smaller area over longest edge squared counts as 0 */
+#define POLYGON_TINY 1e-150     /* squares of smaller lengths underflow a double */
 
 typedef struct Polygon {
 	const double *xyz;

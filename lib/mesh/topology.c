@@ -12,8 +12,8 @@ prev(int side)
 	return side % 3 == 0 ? side + 2 : side - 1;
 }
 
-/* Decides for the neighbours of face f whether they are turned: as f is if their common edge runs
- * in opposite directions, else the other way.  Those decided now are appended to queue. */
+/* Decides whether the neighbours of face f are turned, and appends those not decided before to queue.  A
+ * neighbour is turned like f if the common edge runs in opposite directions in the two faces. */
 static int
 orient_neighbours(const Topology *t, int f, signed char *turn, int *queue, int *end)
 {
@@ -77,7 +77,7 @@ topology_connected(const Topology *t)
 		up[v] = v;
 	for (i = 0; i < 3 * t->nf; i++) {
 		if (t->twin[i] > i)
-			continue;       /* an edge once */
+			continue;       /* visit each edge once */
 		a = root(up, topology_from(t, i));
 		b = root(up, topology_to(t, i));
 		parts -= a != b;
@@ -127,7 +127,7 @@ topology_fans(const Topology *t)
 	return e;
 }
 
-/* out[v] is the boundary side from v, or -1: one fan at each vertex leaves one at most. */
+/* Sets out[v] to the boundary side that starts at v, or -1.  With one fan at each vertex there is at most one. */
 static int
 boundary_sides(const Topology *t, int *out)
 {
@@ -156,7 +156,7 @@ follow_loop(const Topology *t, int *out, int v, int *loop)
 	return n;
 }
 
-/* MESH_EDISK with a vertex of each, if there are other loops than the first, which began at vertex v. */
+/* Fails with a vertex of each loop if there are others than the first, which began at vertex v. */
 static int
 check_one_loop(const Topology *t, int *out, int v)
 {

@@ -56,7 +56,7 @@ high(const Topology *t, int side)
 
 /* Sorts the sides by their lower vertex v, into s[start[v]] .. s[start[v+1]-1]. */
 static void
-buckets(const Topology *t, int *start, Side *s)
+sort_by_lower(const Topology *t, int *start, Side *s)
 {
 	const int n = 3 * t->nf;
 	int i, v;
@@ -132,7 +132,7 @@ topology_twins(Topology *t)
 	start = mesh_alloc(t->err, (size_t)t->nv + 2, sizeof *start);
 	s = mesh_alloc(t->err, n, sizeof *s);
 	if (t->twin && start && s) {
-		buckets(t, start, s);
+		sort_by_lower(t, start, s);
 		e = pair_all(t, start, s);
 	}
 	free(start);

@@ -73,7 +73,7 @@ inflate_members(z_stream *z, const char *in, const char *end, Out *o, char *err)
 			return e;
 		if (e == 0)
 			continue;
-		while (in < end && *in == '\0')         /* tapes and disks pad with zeros */
+		while (in < end && *in == '\0')         /* padding with zeros, as on tapes */
 			in++;
 		if (in == end)
 			return 0;

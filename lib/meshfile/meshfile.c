@@ -1,4 +1,4 @@
-/* meshfile.c - recognise the format of a mesh file and read it; write one. */
+/* meshfile.c - recognises the format of a mesh file and reads it; writes mesh files. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,7 +27,7 @@ static const struct {
 	{ "\x1f\x8b", 2,              "gzip data within gzip data" }
 };
 
-/* Is the word among the first 2000 bytes? */
+/* Whether the first 2000 bytes contain the word. */
 static int
 contains(const MeshStart *m, const char *word)
 {
@@ -103,7 +103,7 @@ choose(const MeshStart *m, char *err)
 enum { LONGEST_WORD = 100 };
 
 int
-meshfile_promising(const void *head, size_t n, size_t most, char err[MESH_ERRLEN])
+meshfile_plausible(const void *head, size_t n, size_t most, char err[MESH_ERRLEN])
 {
 	char out[4096];
 	const int packed = is_gzip(head, n);

@@ -18,7 +18,7 @@
  * OBJ  v and f lines; f a, a/b, a//c, a/b/c; negative indices; the rest is skipped
  * PLY  ascii, binary_little_endian, binary_big_endian; any properties and extra
  *      elements; faces as vertex_indices or vertex_index lists, or tristrips
- * STL  ASCII and binary; three own vertices for every triangle
+ * STL  ASCII and binary; every triangle has three vertices of its own
  *
  * most  in  bytes that gzip data may unpack to
  *
@@ -27,10 +27,10 @@
  * 100"); s then holds nothing to free.
  *
  * The memory is at most 1 KiB and 16 bytes for each byte given, whatever counts the file
- * promises.  Gzip data, known by their first bytes, are unpacked first; deflate reaches 1030:1,
- * so they may unpack to 1100 bytes for each byte given and to no more than most.  The 16 are
- * then for each byte unpacked, beside the buffer that holds these (at most 3 for each while
- * it grows, 4 for each byte given, 64 KiB for zlib). */
+ * promises.  Gzip data, known by their first bytes, are unpacked first.  deflate reaches 1030:1,
+ * so they may unpack to 1100 bytes for each byte given, and to no more than most.  The 16 bytes
+ * then count for each byte unpacked.  The buffer of unpacked bytes is added: while it grows at
+ * most 3 bytes for each of them, 4 for each byte given, and 64 KiB for zlib. */
 int meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most);
 
 /* The same, with the (u,v) of every vertex in the channel MESH_UV and the T they belong to in
@@ -39,14 +39,14 @@ int meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most);
  * OBJ  vt lines and corners a/b or a/b/c; T from a line "# lhgrid T 0.91"
  * PLY  vertex properties s t, or u v, or texture_u texture_v; T from "comment lhgrid T 0.91"
  *
- * A vertex of no face of an OBJ has (-1,-1).  Refused besides: formats without (u,v)
- * (MESH_EFORMAT), (u,v) missing (MESH_EFORMAT), not finite or two of them at one vertex
+ * In an OBJ, a vertex of no face has (-1,-1).  Also refused: formats without (u,v) and missing
+ * (u,v) (MESH_EFORMAT); (u,v) that are not finite, and two different ones at a vertex
  * (MESH_EVALUE). */
 int meshfile_parse_uv(Soup *s, const void *bytes, size_t n, size_t most);
 
-/* Can a file that begins with these n bytes, at most `most` bytes long, be a mesh?  0, or
- * MESH_EFORMAT with the reason in err: an endless pipe is refused before it is read. */
-int meshfile_promising(const void *head, size_t n, size_t most, char err[MESH_ERRLEN]);
+/* Whether a file of at most `most` bytes that begins with these n can be a mesh: 0, or
+ * MESH_EFORMAT with the reason in err.  So an endless pipe is refused before it is read. */
+int meshfile_plausible(const void *head, size_t n, size_t most, char err[MESH_ERRLEN]);
 
 /* s as a file: its vertices and polygons as they are, and its channel MESH_UV and T if it
  * has them and the format carries them.  OFF and OBJ are text that gives back every double, PLY is

@@ -24,7 +24,7 @@ meshformat(int i)
 	return i >= 0 && i < ROWS ? &table[i] : NULL;
 }
 
-/* Does name end in this, with something before it? */
+/* Whether name ends in the n bytes at end, with something before them. */
 static int
 ends_in(const char *name, const char *end, size_t n)
 {
@@ -47,7 +47,7 @@ meshformat_of(const char *file)
 	return NULL;
 }
 
-/* "A, B or C" of the rows that can do all of can: their names, or with ends their file name ends. */
+/* The list "A, B or C" of the formats that have all flags of can: their names, or the ends of their file names. */
 static char *
 list(unsigned can, const char *comma, const char *word, int ends, char buf[MESHFORMAT_LIST])
 {

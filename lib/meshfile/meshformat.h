@@ -16,27 +16,27 @@ struct Reader;
 struct Text;
 
 enum {
-	MESHFORMAT_UV     = 1,  /* carries (u,v), read and written */
+	MESHFORMAT_UV     = 1,  /* (u,v) can be read and written */
 	MESHFORMAT_SHARED = 2,  /* faces share vertices, which keep their number and order */
-	MESHFORMAT_WRITE  = 4   /* is written, not only read */
+	MESHFORMAT_WRITE  = 4   /* can be written, not only read */
 };
 
 typedef struct MeshFormat {
 	const char *name;       /* "OFF" */
 	const char *ends;       /* of file names, with a blank between several: ".off" */
-	unsigned    can;        /* the sum of those above that it does */
+	unsigned    can;        /* flags from above */
 	int       (*recognise)(const struct MeshStart *);       /* meshpriv.h */
 	int       (*read)(struct Reader *);                     /* meshpriv.h */
 	int       (*write)(struct Text *, const Soup *);        /* writepriv.h */
 } MeshFormat;
 
-/* Row i, or NULL behind the last.  Row 0 is what a program writes to stdout. */
+/* Row i, or NULL after the last.  Row 0 is what a program writes to stdout. */
 const MeshFormat *meshformat(int i);
 
-/* The format that is written to a file of this name, by its end, in any case, or NULL. */
+/* The format to write to a file of this name, known by the end of the name in upper or lower case, or NULL. */
 const MeshFormat *meshformat_of(const char *file);
 
-/* Lists for texts and messages of the formats that can do all of can: "OFF, OBJ or PLY" with
+/* Lists of the formats that have all flags of can, for usage texts and messages: "OFF, OBJ or PLY" with
  * the word "or", and the ends of their file names, ".off .obj or .ply".  Both return buf. */
 enum { MESHFORMAT_LIST = 120 };
 char *meshformat_names(unsigned can, const char *word, char buf[MESHFORMAT_LIST]);

@@ -31,7 +31,7 @@ int scan_token(Reader *r, Token *t);
 int scan_word(Reader *r, Token *t);
 void scan_skipline(Reader *r);
 
-/* Is t that word, in any case? */
+/* Whether t is that word, in upper or lower case. */
 int scan_is(Token t, const char *word);
 
 /* The value of t.  Returns 1, or 0 if t is no decimal number; nan, inf and numbers beyond a double
@@ -58,9 +58,9 @@ int soup_face(Reader *r);
 void soup_trim(Reader *r);
 
 /* Check the count of records in a header against the bytes left, which have room for `room` records: 0
- * or MESH_EFORMAT.  soup_cut: MESH_EFORMAT, the file ends in this record. */
-int soup_promise(Reader *r, const char *what, long long count, size_t room);
-int soup_cut(Reader *r, const char *what, long long i, long long count);
+ * or MESH_EFORMAT.  soup_truncated returns MESH_EFORMAT with the message that the file ends in record i. */
+int soup_check_count(Reader *r, const char *what, long long count, size_t room);
+int soup_truncated(Reader *r, const char *what, long long i, long long count);
 
 /* The text of a comment: "lhgrid T 0.91" sets s->T, any other is ignored.  Returns 0 or
  * MESH_EVALUE. */

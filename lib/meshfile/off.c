@@ -5,9 +5,9 @@
 
 typedef struct Off {
 	Reader *r;
-	int  extra;             /* numbers after x y z: by the keyword (binary) */
-	int  width;             /* .. or as after vertex 0 (ASCII) */
-	int  big, colours;      /* binary: byte order; a count of colours ends each face */
+	int  extra;             /* numbers after x y z at every vertex, by the keyword (binary) */
+	int  width;             /* the same, as counted at vertex 0 (ASCII) */
+	int  big, colours;      /* binary: big-endian; each face ends with a count of colours */
 	long long nv, nf;
 } Off;
 
@@ -55,7 +55,7 @@ counts(Off *o)
 	return 0;
 }
 
-/* Counts the numbers left on this line; or a negative code. */
+/* The count of numbers left on this line, or a negative code. */
 static int
 leftover(Off *o)
 {
@@ -79,7 +79,7 @@ vertex(Off *o)
 
 	for (c = 0; c < 3; c++) {
 		if (!scan_token(r, &t))
-			return soup_cut(r, "vertex", r->s->nv, o->nv);
+			return soup_truncated(r, "vertex", r->s->nv, o->nv);
 		if (!scan_number(t, &x[c]))
 			return bad(o, "a coordinate", t);
 	}
@@ -103,12 +103,12 @@ face(Off *o)
 	int e;
 
 	if (!scan_token(r, &t))
-		return soup_cut(r, "face", r->s->nf, o->nf);
+		return soup_truncated(r, "face", r->s->nf, o->nf);
 	if (!scan_int(t, &n) || n < 0)
 		return bad(o, "a number of corners", t);
 	for (k = 0; k < n; k++) {
 		if (!scan_token(r, &t))
-			return soup_cut(r, "face", r->s->nf, o->nf);
+			return soup_truncated(r, "face", r->s->nf, o->nf);
 		if (!scan_int(t, &i))
 			return bad(o, "a vertex number", t);
 		if ((e = soup_corner(r, i)) != 0)
@@ -136,8 +136,8 @@ ascii(Off *o)
 
 	if ((e = counts(o)) != 0)
 		return e;
-	if ((e = soup_promise(r, "vertices", o->nv, (scan_left(r) + 1) / 6)) != 0 ||
-	    (e = soup_promise(r, "faces", o->nf, (scan_left(r) + 1) / 2)) != 0 ||
+	if ((e = soup_check_count(r, "vertices", o->nv, (scan_left(r) + 1) / 6)) != 0 ||
+	    (e = soup_check_count(r, "faces", o->nf, (scan_left(r) + 1) / 2)) != 0 ||
 	    (e = soup_reserve(r, (size_t)o->nv, (size_t)o->nf, 0)) != 0)
 		return e;
 	while (r->s->nv < o->nv)
@@ -155,7 +155,7 @@ word4(const Off *o, const char *p)
 	return (long long)scan_bytes(p, 4, o->big);
 }
 
-/* Read as faces with colours, do the bytes from p end with the file? */
+/* Whether the bytes from p, read as faces with colours, end where the file ends. */
 static int
 hascolours(const Off *o, const char *p)
 {
@@ -181,7 +181,7 @@ binface(Off *o)
 
 	n = scan_left(r) >= 4 ? word4(o, r->p) : 0;
 	if (scan_left(r) < 4 || (size_t)n > scan_left(r)/4 - 1)
-		return soup_cut(r, "face", r->s->nf, o->nf);
+		return soup_truncated(r, "face", r->s->nf, o->nf);
 	if (n == 0)             /* probably the count of colours of a truncated file */
 		return mesh_fail(r->s->err, MESH_EFORMAT, "face %d of %lld has no corners",
 		    r->s->nf, o->nf);
@@ -214,8 +214,8 @@ binary(Off *o)
 	}
 	o->big = o->big == 1;
 	r->p += 12;
-	if ((e = soup_promise(r, "vertices", o->nv, scan_left(r) / each)) != 0 ||
-	    (e = soup_promise(r, "faces", o->nf, scan_left(r) / 4)) != 0 ||
+	if ((e = soup_check_count(r, "vertices", o->nv, scan_left(r) / each)) != 0 ||
+	    (e = soup_check_count(r, "faces", o->nf, scan_left(r) / 4)) != 0 ||
 	    (e = soup_reserve(r, (size_t)o->nv, (size_t)o->nf, 0)) != 0)
 		return e;
 	for (; r->s->nv < o->nv; r->p += each) {

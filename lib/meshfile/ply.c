@@ -8,17 +8,17 @@ typedef struct Record {
 	Ply *p;
 	const PlyElem *e;
 	long long i;
-	long long a, b, turn;   /* of a strip: the last two corners, and their count since a restart */
+	long long a, b, turn;   /* of a strip: the last two corners, and the count of corners since a restart */
 	double x[PLY_USES];
 } Record;
 
 static int
-cut(Record *c)
+truncated(Record *c)
 {
 	static const char *const what[] = { "", "vertex", "face", "strip" };
 	char show[SCAN_SHOW];
 
-	return soup_cut(c->p->r, c->e->kind ? what[c->e->kind] : scan_show(c->e->name, show),
+	return soup_truncated(c->p->r, c->e->kind ? what[c->e->kind] : scan_show(c->e->name, show),
 	    c->i, c->e->n);
 }
 
@@ -34,14 +34,14 @@ value(Record *c, const PlyType *type, double *x)
 
 	if (c->p->format == PLY_ASCII) {
 		if (!scan_token(r, &t))
-			return cut(c);
+			return truncated(c);
 		if (!scan_number(t, x))
 			return mesh_fail(r->s->err, MESH_EFORMAT, "line %ld: '%s' is not a number",
 			    r->line, scan_show(t, show));
 		return 0;
 	}
 	if (scan_left(r) < (size_t)type->size)
-		return cut(c);
+		return truncated(c);
 	if (type->kind == 'f') {
 		*x = scan_float(r->p, type->size, big);
 	} else {
@@ -68,7 +68,7 @@ check_integer(Record *c, double x, double lo)
 /* The next corner of a strip, which makes a triangle with the two before it.  Every second triangle has
  * the opposite orientation; -1 restarts; triangles with a vertex twice only reverse the orientation. */
 static int
-strip(Record *c, long long k)
+strip_corner(Record *c, long long k)
 {
 	Reader *r = c->p->r;
 	const int odd = c->turn % 2 == 1;
@@ -90,7 +90,7 @@ strip(Record *c, long long k)
 }
 
 static int
-item(Record *c, const PlyProp *q)
+list_item(Record *c, const PlyProp *q)
 {
 	double x;
 	int e;
@@ -101,11 +101,11 @@ item(Record *c, const PlyProp *q)
 		return 0;
 	if ((e = check_integer(c, x, c->e->kind == PLY_STRIP ? -1 : -1e15)) != 0)
 		return e;
-	return c->e->kind == PLY_STRIP ? strip(c, (long long)x) : soup_corner(c->p->r, (long long)x);
+	return c->e->kind == PLY_STRIP ? strip_corner(c, (long long)x) : soup_corner(c->p->r, (long long)x);
 }
 
 static int
-list(Record *c, const PlyProp *q)
+list_property(Record *c, const PlyProp *q)
 {
 	long long k, n;
 	double x;
@@ -114,7 +114,7 @@ list(Record *c, const PlyProp *q)
 	if ((e = value(c, q->count, &x)) != 0 || (e = check_integer(c, x, 0)) != 0)
 		return e;
 	for (n = (long long)x, c->turn = 0, k = 0; k < n; k++)
-		if ((e = item(c, q)) != 0)
+		if ((e = list_item(c, q)) != 0)
 			return e;
 	return 0;
 }
@@ -128,7 +128,7 @@ record(Record *c)
 	for (i = c->e->p0; i < c->e->p1; i++) {
 		const PlyProp *q = &c->p->prop[i];
 
-		e = q->count ? list(c, q) : value(c, q->type, &x);
+		e = q->count ? list_property(c, q) : value(c, q->type, &x);
 		if (e)
 			return e;
 		if (!q->count && q->use != PLY_SKIP)
@@ -150,7 +150,7 @@ reserve(Ply *p, const PlyElem *e)
 	size_t item = 2, tri;
 	int err, i;
 
-	if ((err = soup_promise(p->r, what[e->kind], e->n, left / least)) != 0)
+	if ((err = soup_check_count(p->r, what[e->kind], e->n, left / least)) != 0)
 		return err;
 	if (e->kind == PLY_VERTEX && p->uv && (err = uv_start(p->r, (size_t)e->n)) != 0)
 		return err;

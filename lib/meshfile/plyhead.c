@@ -45,7 +45,7 @@ format(Ply *p)
 }
 
 static int
-kind(Token name)
+element_kind(Token name)
 {
 	if (scan_is(name, "vertex"))
 		return PLY_VERTEX;
@@ -66,7 +66,7 @@ element(Ply *p)
 		    PLY_MAXELEM);
 	if (!scan_word(p->r, &e->name))
 		return bad(p, "an element", e->name);
-	e->kind = kind(e->name);
+	e->kind = element_kind(e->name);
 	if (!scan_word(p->r, &t) || !scan_int(t, &e->n) || e->n < 0)
 		return bad(p, "a number of records", t);
 	e->p0 = e->p1 = p->np;
@@ -74,9 +74,9 @@ element(Ply *p)
 	return 0;
 }
 
-/* The use of a vertex property if (u,v) is to be read. */
+/* The use of a vertex property that is not x, y or z, if (u,v) is read. */
 static int
-uvuse(Token name)
+uv_use(Token name)
 {
 	static const char *const known[] = { "s", "t", "u", "v", "texture_u", "texture_v" };
 	int i;
@@ -88,14 +88,14 @@ uvuse(Token name)
 }
 
 static int
-use(int kind, int list, Token name, int read_uv)
+property_use(int kind, int list, Token name, int read_uv)
 {
 	if (kind == PLY_VERTEX && !list && name.n == 1 && *name.s >= 'x' && *name.s <= 'z')
 		return *name.s - 'x';
 	if ((kind == PLY_FACE || kind == PLY_STRIP) && list &&
 	    (scan_is(name, "vertex_indices") || scan_is(name, "vertex_index")))
 		return PLY_CORNERS;
-	return kind == PLY_VERTEX && !list && read_uv ? uvuse(name) : PLY_SKIP;
+	return kind == PLY_VERTEX && !list && read_uv ? uv_use(name) : PLY_SKIP;
 }
 
 /* "property float x" or "property list uchar int vertex_indices" */
@@ -124,7 +124,7 @@ property(Ply *p)
 		return bad(p, "a type", t);
 	if (!scan_word(p->r, &t))
 		return bad(p, "a name", t);
-	q->use = use(e->kind, q->count != NULL, t, p->r->read_uv);
+	q->use = property_use(e->kind, q->count != NULL, t, p->r->read_uv);
 	for (i = e->p0; i < p->np; i++)
 		if (q->use != PLY_SKIP && p->prop[i].use == q->use)
 			return bad(p, "a new name", t);
@@ -132,9 +132,9 @@ property(Ply *p)
 	return 0;
 }
 
-/* Sets p->uv to the first pair of properties that the vertices have. */
+/* Sets p->uv to the first pair of (u,v) properties that the vertices have. */
 static int
-findpair(Ply *p, const PlyElem *vertex)
+find_uv_pair(Ply *p, const PlyElem *vertex)
 {
 	int i, pair, has;
 
@@ -150,9 +150,9 @@ findpair(Ply *p, const PlyElem *vertex)
 	    "vertices lack (u,v): properties s t, u v or texture_u texture_v");
 }
 
-/* Checks that the elements of the mesh occur once at most and have the properties they need. */
+/* Checks that vertices, faces and strips occur at most once each and have the properties they need. */
 static int
-complete(Ply *p)
+check_elements(Ply *p)
 {
 	int e, i, seen[4] = { 0 }, has, err;
 
@@ -165,7 +165,7 @@ complete(Ply *p)
 			has += p->prop[i].use != PLY_SKIP && p->prop[i].use < PLY_UV;
 		if (x->kind == PLY_VERTEX && has < 3)
 			return mesh_fail(p->r->s->err, MESH_EFORMAT, "vertices lack x, y or z");
-		if (x->kind == PLY_VERTEX && p->r->read_uv && (err = findpair(p, x)) != 0)
+		if (x->kind == PLY_VERTEX && p->r->read_uv && (err = find_uv_pair(p, x)) != 0)
 			return err;
 		if (x->kind > PLY_VERTEX && has < 1)
 			return mesh_fail(p->r->s->err, MESH_EFORMAT,
@@ -177,7 +177,7 @@ complete(Ply *p)
 }
 
 static int
-line(Ply *p, Token t)
+header_line(Ply *p, Token t)
 {
 	if (scan_is(t, "format"))
 		return format(p);
@@ -221,7 +221,7 @@ ply_header(Ply *p)
 			return mesh_fail(r->s->err, MESH_EFORMAT, "file ends in the header");
 		if (scan_is(t, "end_header"))
 			break;
-		if ((e = line(p, t)) != 0)
+		if ((e = header_line(p, t)) != 0)
 			return e;
 		scan_skipline(r);
 	}
@@ -233,5 +233,5 @@ ply_header(Ply *p)
 		r->p++;
 	if (!bare && r->p < r->end && *r->p == '\n')
 		r->p++, r->line++;
-	return complete(p);
+	return check_elements(p);
 }

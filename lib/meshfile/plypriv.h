@@ -16,14 +16,14 @@ typedef struct PlyType {
 } PlyType;
 
 typedef struct PlyProp {
-	const PlyType *type, *count;    /* count: of a list, else NULL */
+	const PlyType *type, *count;    /* count: the type of the length of a list; NULL if it is no list */
 	int use;
 } PlyProp;
 
 typedef struct PlyElem {
 	Token name;
 	int kind;
-	long long n;            /* records, by the header */
+	long long n;            /* number of records in the header */
 	int p0, p1;             /* properties p0 .. p1-1 */
 } PlyElem;
 

@@ -137,7 +137,7 @@ soup_face(Reader *r)
 }
 
 int
-soup_promise(Reader *r, const char *what, long long count, size_t room)
+soup_check_count(Reader *r, const char *what, long long count, size_t room)
 {
 	if (count < 0)
 		return mesh_fail(r->s->err, MESH_EFORMAT, "header promises %lld %s", count, what);
@@ -148,7 +148,7 @@ soup_promise(Reader *r, const char *what, long long count, size_t room)
 }
 
 int
-soup_cut(Reader *r, const char *what, long long i, long long count)
+soup_truncated(Reader *r, const char *what, long long i, long long count)
 {
 	return mesh_fail(r->s->err, MESH_EFORMAT, "file ends in %s %lld of %lld", what, i, count);
 }

@@ -5,7 +5,7 @@
 
 enum { HEAD = 84, EACH = 50 };
 
-/* The size of a binary file with the count of triangles that p, of n bytes, has. */
+/* The size of a binary file by the count of triangles in its first n bytes, at p. */
 static unsigned long long
 binary_size(const char *p, size_t n)
 {
@@ -45,7 +45,7 @@ binary(Reader *r)
 	double x[3];
 	int c, e, k;
 
-	if ((e = soup_promise(r, "triangles", (long long)n, n)) != 0 ||
+	if ((e = soup_check_count(r, "triangles", (long long)n, n)) != 0 ||
 	    (e = soup_reserve(r, 3*n, n, 3*n)) != 0)
 		return e;
 	for (r->p += HEAD; r->p < r->end; r->p += EACH) {
@@ -94,7 +94,7 @@ numbers(Reader *r, double x[3])
 	return 0;
 }
 
-/* What follows the word "facet". */
+/* Reads a facet after the word "facet". */
 static int
 facet(Reader *r)
 {

@@ -7,8 +7,8 @@
 #include "../base/vec3.h"
 
 enum {
-	ENOUGH = 15,    /* rings are added until the points are more than this .. */
-	RINGS  = 6,     /* .. or the rings this many */
+	ENOUGH = 15,    /* rings are added until there are more points than this, */
+	RINGS  = 6,     /* or this many rings */
 	FAN    = 16     /* about the most triangles visited at a vertex: a hub of a million
 	                 * triangles must not cost each of its neighbours a million visits */
 };

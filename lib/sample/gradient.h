@@ -23,8 +23,8 @@
  * that does as well, the first degree is scaled down until it keeps them.  Nothing is cut on
  * the smooth surfaces of mkmesh from 60 vertices on, nor near z -> z^2, the local form of the
  * map where a corner of the rectangle lies on a smooth boundary.  On scans and cortices with
- * their discrete (u,v) it is none to two vertices in a thousand, on the worst (faces of 2000
- * vertices, coarse heads) three in a hundred.
+ * their discrete (u,v), up to two vertices in a thousand are cut; on the worst meshes (faces of
+ * 2000 vertices, coarse heads) three in a hundred.
  */
 #ifndef GRADIENT_H
 #define GRADIENT_H

@@ -5,7 +5,7 @@
 
 #include "locate.h"
 
-static const double INSIDE = -1e-10;    /* least barycentric coordinate of a hit */
+static const double INSIDE = -1e-10;    /* least barycentric coordinate of a point inside */
 
 /* Barycentric coordinates of (x,y) in triangle t; 0 when it is flat. */
 static int

@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-/* The next 64 bits of the sequence that *s began. */
+/* The next 64 bits of the sequence whose state is *s; a seed is its first state. */
 static inline uint64_t
 rng_next(uint64_t *s)
 {

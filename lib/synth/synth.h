@@ -69,7 +69,7 @@ typedef struct Synth {
 /* Kind i = 0, 1, 2 ..; NULL after the last. */
 const SynthKind *synth_kind(int i);
 
-/* Set up a kind with its defaults; -1 when there is none of that name. */
+/* Set up a kind with its defaults.  Returns 0, or -1 if there is none of that name. */
 int synth_init(Synth *s, const char *name);
 
 /* Set one parameter.  Returns 0, SYNTH_EPAR or SYNTH_ERANGE. */

@@ -19,8 +19,7 @@ static const double SPACING = 1.18;
 /* Points inside per area of one least distance squared: 0.81 was measured on a plain square. */
 static const double PACKING = 0.80;
 
-/* The data of the rule of scatter: the mesh of a surface is even if the points of the plane are
- * r/scale apart. */
+/* The data of ScatterRule: the mesh of the surface is even if the points in the plane are r/scale apart. */
 typedef struct Plan {
 	const Synth *s;
 	SynthDomain  d;
@@ -144,8 +143,8 @@ boundary_points(const Plan *plan, Points *p)
 	return 0;
 }
 
-/* The least distance r that n points would keep: with A and P area and boundary in
- * units of scale, n r^2 = PACKING (A - P r/2) + P r/SPACING.  *top: the largest scale. */
+/* The least distance r between n points: with area A and perimeter P in units of scale,
+ * n r^2 = PACKING (A - P r/2) + P r/SPACING.  *top: the largest scale. */
 static double
 first_guess(const Plan *plan, int n, double *top)
 {
@@ -173,7 +172,7 @@ first_guess(const Plan *plan, int n, double *top)
 }
 
 static int
-points(Plan *plan, double top, uint64_t seed, Points *p)
+scatter_points(Plan *plan, double top, uint64_t seed, Points *p)
 {
 	ScatterRule rule = { plan->d.x0, plan->d.x1, plan->d.y0, plan->d.y1,
 		0.98*plan->r/top, plan_dist, plan_inside, plan };
@@ -185,8 +184,8 @@ points(Plan *plan, double top, uint64_t seed, Points *p)
 	return scatter(&rule, seed, p) ? SYNTH_ENOMEM : 0;
 }
 
-/* About n points.  Packing and rounding differ from mesh to mesh: as long as the number is off,
- * the distance is corrected and the points are made again. */
+/* About n points.  Packing and rounding differ from mesh to mesh: while the number of points is too far
+ * from n, the distance is corrected and the points are made again. */
 static int
 fit_points(Plan *plan, int n, uint64_t seed, Points *p)
 {
@@ -195,7 +194,7 @@ fit_points(Plan *plan, int n, uint64_t seed, Points *p)
 
 	for (round = 0; round < 8 && !err; round++) {
 		plan->r = r;
-		err = points(plan, top, seed, p);
+		err = scatter_points(plan, top, seed, p);
 		off = fabs((double)p->n/n - 1);
 		if (off < best)
 			best = off, keep = r;
@@ -204,7 +203,7 @@ fit_points(Plan *plan, int n, uint64_t seed, Points *p)
 		r *= pow((double)p->n/n, round < 4 ? 0.5 : 0.25);
 	}
 	plan->r = keep;
-	return err ? err : points(plan, top, seed, p);
+	return err ? err : scatter_points(plan, top, seed, p);
 }
 
 /* Drops the triangles across the notch of the L. */
