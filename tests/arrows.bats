@@ -2,22 +2,29 @@
 
 load helper
 
-# A tree of two wings, b may use a.
+# A tree of two wings, b may use a; compiled once, and copied with its times for each test.
+setup_file() (
+	cd "$BATS_FILE_TMPDIR"
+	mkdir -p lib/a lib/b format cmd/shared cmd/p build/lib/a build/lib/b
+	echo 'May use: nothing.' >lib/a/README.md
+	echo 'May use: a.' >lib/b/README.md
+	echo 'int one(void); int one(void) { return 1; }' >lib/a/one.c
+	echo 'int one(void), two(void); int two(void) { return 2*one(); }' >lib/b/two.c
+	gcc -c -o build/lib/a/one.o lib/a/one.c
+	gcc -c -o build/lib/b/two.o lib/b/two.c
+)
+
 setup() {
-	t=$BATS_TEST_TMPDIR
 	arrows=$PWD/scripts/arrows untracked=$PWD/scripts/untracked
-	mkdir -p "$t"/lib/a "$t"/lib/b "$t"/format "$t"/cmd/shared "$t"/cmd/p
-	echo 'May use: nothing.' >"$t/lib/a/README.md"
-	echo 'May use: a.' >"$t/lib/b/README.md"
-	echo 'int one(void); int one(void) { return 1; }' >"$t/lib/a/one.c"
-	echo 'int one(void), two(void); int two(void) { return 2*one(); }' >"$t/lib/b/two.c"
-	cd "$t"
+	cp -a "$BATS_FILE_TMPDIR/." "$BATS_TEST_TMPDIR"
+	cd "$BATS_TEST_TMPDIR"
 }
 
 build() {
-	local f
+	local f o
 	for f in lib/*/*.c cmd/*.c cmd/*/*.c; do
-		[ ! -e "$f" ] || { mkdir -p "build/${f%/*}" && gcc -c -o "build/${f%.c}.o" "$f"; } || return 1
+		o=build/${f%.c}.o
+		[ ! -e "$f" ] || [ "$o" -nt "$f" ] || { mkdir -p "${o%/*}" && gcc -c -o "$o" "$f"; } || return 1
 	done
 	"$arrows" build
 }
@@ -55,7 +62,7 @@ build() {
 	printf 'all:\n' >Makefile
 	git add Makefile lib
 	git -c user.name=t -c user.email=t@example.org commit -qm t
-	rm -rf format cmd
+	rm -rf format cmd build
 	run -0 "$untracked"
 	touch left
 	run -1 "$untracked"
