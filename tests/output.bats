@@ -58,7 +58,9 @@ setup_file() {
 	[ -L "$tmp/k/far/back.off" ]
 	cmp "$tmp/k/absent.off" "$tmp/k/second.off"
 	mesh2rect -n 8 "$tmp/cap.off" -o "$tmp/k/second"
-	[ -L "$tmp/k/second" ] && [ -L "$tmp/k/link" ] && [ ! -L "$tmp/k/far/real" ]
+	[ -L "$tmp/k/second" ]
+	[ -L "$tmp/k/link" ]
+	[ ! -L "$tmp/k/far/real" ]
 	lhinfo "$tmp/k/far/real" >/dev/null
 	ln -s loop "$tmp/k/loop"
 	try 1 'Too many levels' /dev/null grid2lh "$tmp/phi" -o "$tmp/k/loop"
