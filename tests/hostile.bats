@@ -206,6 +206,16 @@ endless() {
 	grep -Eq "$pattern" "$tmp/err" || complain "$*: does not match $pattern"
 }
 
+@test "nodes where phi_u is parallel to phi_v are noted, and H is 0 there" {
+	# columns 3 to 5 lie on one line, so both derivatives at the inner nodes of column 4 do
+	hostile "$tmp/phi" "$tmp/folded" 'g = size(9, 7)
+v, u = np.mgrid[:7, 3:6]
+for c, a in zip("xyz", (0.3, 0.7, -0.2)): g[c][:, 3:6] = a*(u/8 + 0.37*v/6)'
+	try 0 'folded: 5 nodes where phi_u and phi_v are parallel; H is 0 there$' /dev/null grid2lh "$tmp/folded"
+	hostile "$tmp/out" "$tmp/same" 'assert (g["H"][1:-1, 4] == 0).all() and (g["H"][1:-1, 3] != 0).all()'
+	try 0 '' /dev/null grid2lh -q "$tmp/folded"
+}
+
 @test "an endless input that begins as no mesh is refused at once" {
 	local pattern='not an OFF, OBJ, PLY or STL file'
 	endless mesh2rect
