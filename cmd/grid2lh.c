@@ -13,22 +13,23 @@ enum { BAND = 3 };      /* rings that the frame method of lh2grid needs */
 
 static const char text[] =
 "usage: grid2lh [--residual] [--lattice=N | --no-lattice] [GRID] >lh.lhg\n"
-"reads channels x y z; writes lambda H, the boundary band band.x band.y band.z (the three\n"
-"outer rings of x y z) and the lattice start.x start.y start.z (every N/32-th node of x y\n"
-"z, where the steps of lh2grid start); other channels and metadata pass through\n"
+"Computes the conformal factor lambda and the mean curvature H of a gridded surface.  Reads\n"
+"channels x y z; writes lambda H, the boundary band band.x band.y band.z (the three outer\n"
+"rings of x y z) and the start start.x start.y start.z (x y z on a coarse lattice of nodes,\n"
+"where lh2grid starts); other channels and metadata pass through.\n"
 "  -m, --mean-curvature=normal|magnitude  H from the part of the Laplacian along the\n"
 "                     normal, or from its length (the paper's (26)) [normal]\n"
-"  -l, --lattice=N    about N nodes of start along the shorter side, 2..4096 [33]\n"
+"  -l, --lattice=N    the start has about N nodes along the shorter side, 2..4096 [33]\n"
 "      --no-lattice   write no start\n"
-"  -r, --residual     also write the residual channels of a grid that is not quite conformal,\n"
-"                     nu1 = (|x_u|^2-|x_v|^2)/(2 lambda^2), nu2 = x_u.x_v/lambda^2,\n"
-"                     tau1 = x_u.Delta x/lambda^2, tau2 = x_v.Delta x/lambda^2: with them\n"
+"  -r, --residual     also write the residual channels, which hold how far the grid is from\n"
+"                     conformal: nu1 = (|x_u|^2-|x_v|^2)/(2 lambda^2), nu2 = x_u.x_v/lambda^2,\n"
+"                     tau1 = x_u.Delta x/lambda^2, tau2 = x_v.Delta x/lambda^2; with them\n"
 "                     lh2grid gives back the surface itself\n"
 CMD_USAGE
-"H is -1 on the unit sphere whose normal, x_u cross x_v, points out.  On the outermost\n"
-"ring lambda and H are extrapolated from the rings inside.  Near the corners |H| is limited\n"
-"to four times its root mean square (not with --residual).  Under -v: median, mean and maximum of\n"
-"the residual Beltrami coefficient over the inner nodes, 0 where the grid is conformal.\n";
+"H is -1 on the unit sphere if the normal x_u cross x_v points out.  On the outermost ring\n"
+"lambda and H are extrapolated from the rings inside.  Near the corners |H| is limited to four\n"
+"times its root mean square elsewhere (not with --residual).  -v prints median, mean and maximum\n"
+"of the residual Beltrami coefficient over the inner nodes; it is 0 where the grid is conformal.\n";
 
 static const struct option longopt[] = {
 	{ "mean-curvature", required_argument, NULL, 'm' },
@@ -114,7 +115,7 @@ convert(const CmdInput *in, Lhg *g, int curvature, int lattice, int residual)
 	if (!(lambda[0] > 0))
 		die("%s: the surface has no extent", in->name);
 	if (flaws.raised)
-		detail("%s: %d of %d nodes have hardly a tangent plane", in->name, flaws.raised, g->nu*g->nv);
+		detail("%s: %d of %d nodes have almost no tangent plane", in->name, flaws.raised, g->nu*g->nv);
 	if (flaws.parallel)
 		note("%s: %d nodes where phi_u and phi_v are parallel; H is 0 there", in->name, flaws.parallel);
 	if (residual)

@@ -9,15 +9,18 @@
 
 static const char text[] =
 "usage: grid2mesh [-o FILE] [--on=MESH] [GRID] >mesh.off\n"
-"reads channels x y z; writes a mesh of nu nv vertices, row by row, and two triangles for each\n"
-"cell, split along its shorter diagonal, with normals along x_u cross x_v\n"
-"      --on=MESH      move the vertices of MESH instead, each to its (u,v) on the grid (bicubic;\n"
-"                     v is scaled if the grid has another T); faces and order are kept.  MESH\n"
-"                     is {uv formats} with (u,v), written by mesh2rect --uv; a vertex with\n"
-"                     (u,v) = (-1,-1) stays in place; output as {uv formats} keeps the (u,v)\n"
-"  -o, --output=FILE  write FILE, in the format of its name's end, {ends}\n"
-"                     [{stdout} to stdout]; for a stream of several grids the name has a\n"
-"                     number, as frame-%03d.off, from 1; each file is complete or absent\n"
+"Writes a gridded surface, channels x y z, as a triangle mesh: a vertex for each node, row by\n"
+"row, and two triangles for each cell, split along its shorter diagonal.  Normals point along\n"
+"x_u cross x_v.\n"
+"      --on=MESH      write MESH instead, with each vertex moved to its (u,v) on the grid\n"
+"                     (bicubic interpolation); faces and the order of vertices are kept.\n"
+"                     MESH is {uv formats} with (u,v), written by mesh2rect --uv.  v is scaled\n"
+"                     if the grid has another height T; a vertex with (u,v) = (-1,-1) stays\n"
+"                     in place.  If FILE is {uv formats} too, it has the (u,v)\n"
+"  -o, --output=FILE  write FILE, in the format that its name ends in, {ends}\n"
+"                     [{stdout} to stdout].  For a stream of several grids the name must have a\n"
+"                     number, as in frame-%03d.off, which counts from 1.  Each file is written\n"
+"                     completely or not at all\n"
 "      --no-history   accepted as by every command, without effect: meshes have no history\n"
 "  -q, --quiet        no notes on stderr\n"
 "  -v, --verbose      more details on stderr\n"
@@ -69,9 +72,9 @@ check_on(const char *on, const char *grid, const MeshFormat *format)
 	char list[MESHFORMAT_LIST];
 
 	if (cmd_name_of(on) != on && cmd_name_of(grid) != grid)
-		misuse("--on=%s: stdin is the grid", on);
+		misuse("--on=%s: the grid is read from stdin", on);
 	if (!(format->can & MESHFORMAT_SHARED))
-		misuse("--on: %s keeps no vertices in order: need an end of %s", format->name,
+		misuse("--on: %s does not keep the order of vertices: need a name that ends in %s", format->name,
 		    meshformat_ends(MESHFORMAT_SHARED | MESHFORMAT_WRITE, list));
 }
 
@@ -94,7 +97,7 @@ main(int argc, char *argv[])
 	cmd_operands(argc, argv, 0, 1);
 	name = cmd_output();
 	if (!(format = name ? meshformat_of(name) : meshformat(0)))
-		misuse("--output=%s: need an end of %s", name, meshformat_ends(MESHFORMAT_WRITE, list));
+		misuse("--output=%s: need a name that ends in %s", name, meshformat_ends(MESHFORMAT_WRITE, list));
 	many = name && numbered(name, &before, &width, &after);
 	if (on)
 		check_on(on, argv[optind], format);
@@ -102,7 +105,7 @@ main(int argc, char *argv[])
 	cmd_open(&in, argv[optind]);
 	while (cmd_read(&in, &g)) {
 		if (!many && (g.frames > 1 || in.s.ahead))
-			die("%s: holds several grids: name the files by -o NAME-%%03d.off", in.name);
+			die("%s: holds several grids, one for each file: need -o NAME-%%03d.off", in.name);
 		if (on && i == 0)
 			gridfile_read_mesh(on, &mesh);         /* not before: mesh2rect may be writing it */
 		gridfile_bytes(&in, &g, on ? &mesh : NULL, cmd_name_of(on), format, &bytes, &n);

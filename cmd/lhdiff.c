@@ -12,25 +12,26 @@ static const char text[] =
 "Compares surface B with A, the reference.  Each is a stream of grids with channels x y z,\n"
 "or a mesh file ({formats}); - is stdin.  Prints lines \"name value\":\n"
 "  area_a area_b      areas\n"
-"  max mean           distance between vertices of equal number; left out if the counts\n"
-"                     of vertices differ\n"
+"  max mean           largest and mean distance of vertices with the same number; left out if\n"
+"                     A and B do not have equally many vertices\n"
 "  hausdorff          symmetric Hausdorff distance of the surfaces, faces included\n"
-"  hausdorff_error    its error, plus or minus; for equal surfaces an upper bound of hausdorff\n"
+"  hausdorff_error    the true distance is hausdorff plus or minus this; surfaces that are\n"
+"                     nearer than this may have it as hausdorff\n"
 "  max_rel mean_rel hausdorff_rel   the same over the square root of the area of A\n"
 "  self_intersections_a, _b   pairs of faces that meet where they are not joined\n"
-"Streams of several grids, a morph or scales, are compared grid by grid, or all of B with\n"
-"A if A is one surface.  They give a table with tabs between fields: a line of names, then\n"
-"a line for each pair, which begins with its number from 1 (frame); a value that is not\n"
-"defined is -.  Only one grid of each is held in memory, and the values of A alone\n"
-"are computed once if it is one surface.\n"
+"Streams of several grids (a morph, or scales) are compared grid by grid; if A is one surface,\n"
+"each grid of B is compared with it.  The result is then a table with tabs between fields: a\n"
+"line of names, then a line for each pair, which begins with its number (frame), from 1; - stands\n"
+"for a value that is not defined.  Only one grid of each stream is in memory, and the values of\n"
+"a single A are computed once.\n"
 "Options:\n"
-"      --json         one JSON object instead, or one on each line in place of a table\n"
+"      --json         one JSON object instead; in place of a table, one on each line\n"
 "      --hausdorff-error=E  hausdorff_error over the square root of the area of A,\n"
-"                     1e-7..1 [1e-3]; the time grows as 1/E if the surfaces are closer\n"
-"                     to each other than that\n"
+"                     1e-7..1 [1e-3]; if the surfaces are closer than that, the time grows\n"
+"                     as 1/E\n"
 "      --no-hausdorff, --no-self-intersections   leave these out\n"
 CMD_USAGE
-"Exit 0 whatever the distance, 1 if a surface cannot be read or has no area.\n";
+"The exit code is 0 whatever the distance, 1 if a surface cannot be read or has no area.\n";
 
 static const struct option longopt[] = {
 	{ "json",                  no_argument,       NULL, 'j' },

@@ -6,10 +6,10 @@
 
 static const char text[] =
 "usage: lhinfo [--json] [FILE...]\n"
-"Reads streams of grids to their ends (- or nothing: stdin), which checks every byte, and\n"
-"prints for each grid its size, height T, frame, channels with unit, support, number of\n"
-"samples, least, largest and mean sample, metadata and history.\n"
-"      --json         one JSON object a line for each grid\n"
+"Prints what streams of grids hold (- or no FILE: stdin).  For each grid: size, height T of the\n"
+"chart, frame, channels (unit, support, number of samples, minimum, maximum, mean), metadata\n"
+"and history.  Streams are read to their ends, and every byte is checked.\n"
+"      --json         one JSON object for each grid, each on one line\n"
 CMD_USAGE;
 
 static const struct option longopt[] = {

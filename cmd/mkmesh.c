@@ -8,17 +8,20 @@
 
 static const char head[] =
 "usage: mkmesh [-n VERTICES] [--seed=S] [-o FILE] KIND [NAME=VALUE ...] >mesh.off\n"
-"Writes an unstructured triangulation of a surface (x,y) -> phi(x,y), a disk, as {stdout}, or\n"
-"as {formats} by the end of FILE.  Faces are counterclockwise seen against\n"
-"phi_x x phi_y, which points out of closed surfaces.  Vertices 0 1 2 3 are the corners\n"
-"of the domain, counterclockwise: of a rectangle from its lower left one, of a disk or\n"
-"oval the points at -135, -45, 45 and 135 degrees.\n"
+"Writes an unstructured triangle mesh of a surface phi(x,y) over a plane domain, a disk: as\n"
+"{stdout} to stdout, or to FILE in the format that its name ends in, {ends}.\n"
+"Faces are counterclockwise seen from the side to which the normal phi_x cross phi_y points;\n"
+"that is the outside of closed surfaces.  Vertices 0 1 2 3 are the corners of the domain,\n"
+"counterclockwise: of a rectangle from the lower left one, of a disk or oval the points at\n"
+"-135, -45, 45 and 135 degrees.\n"
 "  -n, --vertices=N   about N vertices, 8..10000000 [5000]\n"
-"      --seed=S       random seed of the vertices inside, 0..2147483647 [1]\n"
+"      --seed=S       random seed of the inner vertices, 0..2147483647 [1]\n"
 "      --list         print the names of the kinds\n"
 CMD_USAGE
-"T is the modulus of a domain with its corners, lambda = |phi_x| = |phi_y|, H the mean\n"
-"curvature (-1 on the unit sphere).  Angles are in degrees.  Kinds, NAME=default, range:\n";
+"Below, T is the modulus of the domain with its four corners: the height of the rectangle of\n"
+"width 1 that it maps to conformally.  lambda = |phi_x| = |phi_y| where phi is conformal; H is\n"
+"the mean curvature, -1 on the unit sphere.  Angles are in degrees.  Each kind is followed by\n"
+"its parameters, as NAME=default, range, and by its formula:\n";
 
 static const struct option longopt[] = {
 	{ "vertices", required_argument, NULL, 'n' },
@@ -54,17 +57,17 @@ main(int argc, char *argv[])
 		return cmd_end();
 	}
 	if (synth_init(&s, argv[optind]))
-		misuse("%s: no such kind, see --list", argv[optind]);
+		misuse("%s: no such kind of surface (mkmesh --list prints them)", argv[optind]);
 	while (++optind < argc)
 		kinds_set(&s, argv[optind]);
 	out = cmd_output();
 	if (!(format = out ? meshformat_of(out) : meshformat(0)))
-		misuse("--output=%s: need an end of %s", out, meshformat_ends(MESHFORMAT_WRITE, list));
+		misuse("--output=%s: need a name that ends in %s", out, meshformat_ends(MESHFORMAT_WRITE, list));
 
 	switch (err = synth_mesh(&s, n, seed, &m, NULL)) {
 	case 0: break;
 	case SYNTH_ENOMEM: die("no memory for %d vertices", n);
-	case SYNTH_EDOMAIN: misuse("the parameters leave nothing of the %s", s.kind->name);
+	case SYNTH_EDOMAIN: misuse("the %s is empty with these parameters", s.kind->name);
 	default: die("%d vertices are too few for this %s", n, s.kind->name);
 	}
 	if (meshfile_write_mesh(&m, format, &bytes, &size))

@@ -54,15 +54,15 @@ setup_file() {
 	try 2 'need exactly'                        /dev/null lhfft --raw --energy=0.5
 	try 2 'low-pass=-1: need a number in \[0,'  /dev/null lhfft --low-pass=-1
 	try 2 'need exactly'                        /dev/null lhfft --low-pass=1 --energy=0.5
-	try 2 'the grid goes there'                 /dev/null lhfft -K 1 --spectrum=-
-	try 2 'the grid goes there'                 /dev/null lhfft --spectrum="$tmp/x" -K 1 -o "$tmp/x"
+	try 2 'the grid is written there' /dev/null lhfft -K 1 --spectrum=-
+	try 2 'the grid is written there' /dev/null lhfft --spectrum="$tmp/x" -K 1 -o "$tmp/x"
 	try 2 'need exactly'                        /dev/null lhfft --spectrum="$tmp/x"
 	try 2 'basis=fft: need dct or dft'          /dev/null lhfft -K 1 --basis=fft
 	try 2 'need a number in \[0,1\]'            /dev/null lhinterp -t 1.5 a b
 	try 2 'need either'                         /dev/null lhinterp a b
 	try 2 'need either'                         /dev/null lhinterp -t 0.5 -n 3 a b
 	try 2 'need a whole number in \[2,'         /dev/null lhinterp -n 1 a b
-	try 2 'need an end of .off'                 /dev/null grid2mesh -o "$tmp/x.xyz"
+	try 2 'need a name that ends in .off' /dev/null grid2mesh -o "$tmp/x.xyz"
 	try 2 'need one %d'                         /dev/null grid2mesh -o "$tmp/%s.off"
 	try 2 'need one %d'                         /dev/null grid2mesh -o "$tmp/%d%d.off"
 }
@@ -76,6 +76,8 @@ setup_file() {
 	# U+009B, alone and as one byte, begins an escape sequence too
 	try 2 'operand \?\?2J\?2J is one too many' /dev/null grid2lh one $'\xc2\x9b2J\x9b2J'
 	try 2 $'operand caf\xc3\xa9-\xc3\xbc-\xe2\x88\x82 is one too many' /dev/null grid2lh one $'caf\xc3\xa9-\xc3\xbc-\xe2\x88\x82'
+	cp "$tmp/lh" "$tmp/"$'caf\xc3\xa9 \xc2\x9b\x9b\e'
+	lhinfo "$tmp/"$'caf\xc3\xa9 \xc2\x9b\x9b\e' | head -1 | grep -qF $'caf\xc3\xa9 ????: '
 }
 
 @test "operands too many or too few exit 2" {
@@ -215,8 +217,8 @@ setting() {
 @test "mkmesh: kinds are listed, parameters go by name" {
 	[ "$(mkmesh --list | grep -cx -e cap -e torus -e moebius)" = 3 ]
 	try 2 'R: need NAME=VALUE'              /dev/null mkmesh -n 60 cap R
-	try 2 'legs: a cap has no such param'   /dev/null mkmesh -n 60 cap legs=4
-	try 2 'x.txt: need an end of .off'      /dev/null mkmesh -n 60 cap -o "$tmp/x.txt"
+	try 2 'legs: no parameter of the kind cap' /dev/null mkmesh -n 60 cap legs=4
+	try 2 'x.txt: need a name that ends in .off' /dev/null mkmesh -n 60 cap -o "$tmp/x.txt"
 	[ ! -e "$tmp/x.txt" ]
 }
 

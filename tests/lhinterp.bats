@@ -146,7 +146,7 @@ for c in a.channels: assert abs(a[c] - b[c]).max() < 1e-9*abs(a[c]).max(), c' "$
 	bad '0 0\n1 1\n1 2\n'           'line 3: place 1 on A'
 	bad '2 1\n3 2\n2.5 3\n'         'line 3: place 2.5 on A'
 	printf '0 0\0\n1 1\n' >"$tmp/bad"
-	try 1 'bad: not a text'         /dev/null lhinterp -t 0.5 --landmarks="$tmp/bad" "$tmp/a" "$tmp/b"
+	try 1 'bad: not a text file' /dev/null lhinterp -t 0.5 --landmarks="$tmp/bad" "$tmp/a" "$tmp/b"
 	try 1 'nosuch: No such file'    /dev/null lhinterp -t 0.5 --landmarks="$tmp/nosuch" "$tmp/a" "$tmp/b"
 	python 'g = read(sys.argv[1])[0]
 for c in "xyz": del g.channels["band." + c]

@@ -58,7 +58,7 @@ turned() {
 @test "a round boundary fits anywhere: it is not turned, and that is noted" {
 	mkmesh -n 300 cap -o "$tmp/cap.off"
 	mesh2rect -q -n 16 -c 0,1,2,3 "$tmp/cap.off" -o "$tmp/cap"
-	try 0 'fit as well otherwise' /dev/null mesh2rect -n 16 --like="$tmp/cap" "$tmp/cap.off"
+	try 0 'fit equally well in two positions' /dev/null mesh2rect -n 16 --like="$tmp/cap" "$tmp/cap.off"
 	[ "$(corners "$tmp/out")" = 0,1,2,3 ]
 	try 0 '' /dev/null mesh2rect -q -n 16 --like="$tmp/cap" "$tmp/cap.off"
 }

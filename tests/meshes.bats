@@ -18,7 +18,7 @@ setup() {
 	try 1 'ends in face [0-9]+ of 3132'              /dev/null mesh2rect "$b/truncated.ply"
 	try 1 'genus 2'                                  /dev/null mesh2rect "$b/genus2_one_loop.off"
 	try 1 'one-sided'                                /dev/null mesh2rect "$b/moebius_quads.obj"
-	try 1 'face 3131 names vertex [0-9]+ of 1656'    /dev/null mesh2rect "$b/zero_area_bad_index.off"
+	try 1 'face 3131 refers to vertex [0-9]+, there are 1656' /dev/null mesh2rect "$b/zero_area_bad_index.off"
 }
 
 @test "meshes that can be repaired are, with a note" {

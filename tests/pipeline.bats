@@ -198,7 +198,7 @@ assert next(iter(lhg.read(sys.argv[1])))["lambda"].min() > 0' "$1"
 	END
 	try 0 '' "$tmp/steep.lh" lhfft --keep=4
 	positive "$tmp/out"
-	try 0 'stdin: lambda raised to 0.00012.*, its least before, at [1-9][0-9]* of 4225 nodes' \
+	try 0 'stdin: lambda raised to 0.00012.*, its minimum before filtering, at [1-9][0-9]* of 4225 nodes' \
 		"$tmp/steep.lh" lhfft --keep=4 --no-log-lambda
 	positive "$tmp/out"
 }

@@ -202,7 +202,7 @@ static void
 refusals(void **state)
 {
 	(void)state;
-	refuses("v 0 0 0\n", MESH_EDISK, "no faces: nothing to be a disk");
+	refuses("v 0 0 0\n", MESH_EDISK, "no faces");
 	refuses(TETRA "v 9 9 9\nf 1 2 3\nf 2 1 4\nf 1 2 5\n", MESH_EMANIFOLD, "edge 0-1 belongs to 3 faces");
 	refuses("v 9 9 9\n" TETRA "v 0 -1 -1\nf 2 3 4\nf 3 2 5\nf 2 3 6\n", MESH_EMANIFOLD,
 	    "edge 1-2 belongs to 3 faces");     /* the file's numbers, though one was dropped */
@@ -254,7 +254,7 @@ raw_soups(void **state)
 	(void)state;
 	idx[2] = 3;
 	assert_int_equal(disk_from_soup(&d, &s), MESH_EINDEX);
-	assert_string_equal(d.err, "face 0 names vertex 3 of 3");
+	assert_string_equal(d.err, "face 0 refers to vertex 3, there are 3");
 	idx[2] = -1;
 	assert_int_equal(disk_from_soup(&d, &s), MESH_EINDEX);
 	idx[2] = 2;
@@ -533,7 +533,7 @@ real_refusals(void **state)
 		{ "bad/truncated.ply", MESH_EFORMAT, "file ends in face 1262 of 3132" },
 		{ "bad/genus2_one_loop.off", MESH_EDISK, "genus 2" },
 		{ "bad/moebius_quads.obj", MESH_EORIENT, "one-sided" },
-		{ "bad/zero_area_bad_index.off", MESH_EINDEX, "face 3131 names vertex" },
+		{ "bad/zero_area_bad_index.off", MESH_EINDEX, "face 3131 refers to vertex" },
 		{ "formats/fsaverage5_pial_left.gii.gz", MESH_EFORMAT, "GIFTI" },
 		{ "formats/conte69_32k_lh.gii", MESH_EFORMAT, "GIFTI" },
 		{ "formats/lh.pial", MESH_EFORMAT, "FreeSurfer" },

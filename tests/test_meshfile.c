@@ -89,9 +89,9 @@ off_rules(void **state)
 	    "8 numbers after the 3 corners of face 0");
 	refuses("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n", MESH_EFORMAT,
 	    "line 7: '3' is not expected after the last face");
-	refuses("OFF\n3 1 0\n0 0 0\n1 0 0 \n0 1 0\n3 0 1 3\n", MESH_EINDEX, "face 0 names vertex 3 of 3");
-	refuses("OFF\n3 1 0\n0 0 0\n1 0 0 \n0 1 0\n3 0 1 -1\n", MESH_EINDEX, "face 0 names vertex -1 of 3");
-	refuses("OFF\n3 1 0\n0 0 0\n1 0 0 \n0 1 0\n3 0 1 4294967296\n", MESH_EINDEX, "vertex 4294967296 of 3");
+	refuses("OFF\n3 1 0\n0 0 0\n1 0 0 \n0 1 0\n3 0 1 3\n", MESH_EINDEX, "face 0 refers to vertex 3, there are 3");
+	refuses("OFF\n3 1 0\n0 0 0\n1 0 0 \n0 1 0\n3 0 1 -1\n", MESH_EINDEX, "face 0 refers to vertex -1, there are 3");
+	refuses("OFF\n3 1 0\n0 0 0\n1 0 0 \n0 1 0\n3 0 1 4294967296\n", MESH_EINDEX, "vertex 4294967296, there are 3");
 	refuses("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n", MESH_EFORMAT, "'1.5' is not a vertex number");
 	refuses("OFF\n3 1 0\n0.00 0.00 0.00\n1 0 0\n0 1\n", MESH_EFORMAT, "file ends in vertex 2 of 3");
 }
@@ -145,9 +145,9 @@ obj_rules(void **state)
 	reads("v 0 0 0\nv 1 \\\n0 0\nv 0 1 0\nf 1 \\\r\n 2\\\n 3\n", 3, "0 1 2");
 	reads("v 0 0 0\nl 1 1\nfo 1 1 1\nvp 1\n", 1, "");
 	refuses("v 0 0 0\nf 0 1 1", MESH_EINDEX, "face 0 has the index 0, OBJ counts from 1");
-	refuses("v 0 0 0\nf 1 1 2", MESH_EINDEX, "face 0 names vertex 1 of 1");
-	refuses("v 0 0 0\nf 1 1 1\nf -1 -2 1", MESH_EINDEX, "face 1 reaches back 2 vertices, there are 1");
-	refuses("v 0 0 0\nf 1 1 99999999999", MESH_EINDEX, "names vertex 99999999998 of 1");
+	refuses("v 0 0 0\nf 1 1 2", MESH_EINDEX, "face 0 refers to vertex 1, there are 1");
+	refuses("v 0 0 0\nf 1 1 1\nf -1 -2 1", MESH_EINDEX, "face 1 refers back by 2 vertices, there are 1");
+	refuses("v 0 0 0\nf 1 1 99999999999", MESH_EINDEX, "refers to vertex 99999999998, there are 1");
 	refuses("v 0 0 0\nf 1 1 a", MESH_EFORMAT, "'a' is not a corner");
 	refuses("v 0 0 0\nf 1 1 1x", MESH_EFORMAT, "'1x' is not a corner");
 	refuses("v 0 0 0\nf 1 1 /1", MESH_EFORMAT, "'/1' is not a corner");
@@ -189,8 +189,9 @@ ply_rules(void **state)
 	refuses(HEAD("ascii", "0") "element vertex 0\nend_header\n", MESH_EFORMAT, "'vertex' is not a new element");
 	refuses(HEAD("ascii", "0") "element face 0\nend_header\n", MESH_EFORMAT, "lack a list vertex_indices");
 	refuses("ply\nnonsense\n", MESH_EFORMAT, "header line 2: 'nonsense' is not a header keyword");
-	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 1\n", MESH_EINDEX, "face 0 names vertex 1 of 1");
-	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 -1\n", MESH_EINDEX, "names vertex -1 of 1");
+	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 1\n", MESH_EINDEX,
+	    "face 0 refers to vertex 1, there are 1");
+	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 -1\n", MESH_EINDEX, "refers to vertex -1, there are 1");
 	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 .5\n", MESH_EFORMAT, "face 0 has 0.5 where");
 	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n-3 0 0 0\n", MESH_EFORMAT, "face 0 has -3 where");
 	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 0\n9", MESH_EFORMAT, "1 bytes follow");
@@ -318,7 +319,7 @@ hostile_counts(void **state)
 		}
 	setrlimit(RLIMIT_AS, &old);
 	refuses("OFF\n4000000000 1 0\n0 0 0\n3 0 0 0\n", MESH_EFORMAT,
-	    "header promises 4000000000 vertices, file has room for 2");
+	    "header announces 4000000000 vertices, file has room for 2");
 	refuses("OFF\n1 1 0\n0 0 0\n2000000000 0 0\n", MESH_EFORMAT, "file ends in face 0 of 1");
 }
 
@@ -787,17 +788,17 @@ obj_uv(void **state)
 	refusesuv(TRI VT "f 1/1 2/2 3/3\nf 1/1 3/2 2/2\n", MESH_EVALUE,
 	    "vertex 2 has two (u,v), the second in face 1: a seam");
 	refusesuv(TRI VT "vt 1 .1\nf 1/1 2/2 3/3\nf 1/1 3/4 2/2\n", MESH_EVALUE, "vertex 2 has two (u,v)");
-	refusesuv(TRI VT "f 1/1 2/2 3/4\n", MESH_EINDEX, "face 0 names vt 3 of 3");
-	refusesuv(TRI VT "f 1/1 2/2 3/99999999999\n", MESH_EINDEX, "face 0 names vt");
+	refusesuv(TRI VT "f 1/1 2/2 3/4\n", MESH_EINDEX, "face 0 refers to vt 3, there are 3");
+	refusesuv(TRI VT "f 1/1 2/2 3/99999999999\n", MESH_EINDEX, "face 0 refers to vt");
 	refusesuv(TRI VT "f 1/1 2/0 3/3\n", MESH_EINDEX, "index 0");
-	refusesuv(TRI VT "f 1/1 2/2 3/-4\n", MESH_EINDEX, "reaches back 4 vt lines, there are 3");
+	refusesuv(TRI VT "f 1/1 2/2 3/-4\n", MESH_EINDEX, "refers back by 4 vt lines, there are 3");
 	refusesuv(TRI "vt 0\nf 1/1 2/1 3/1\n", MESH_EFORMAT, "line 4: vt 0 has 1 numbers");
 	refusesuv(TRI "vt 0 nan\nf 1/1 2/1 3/1\n", MESH_EVALUE, "line 4: vt 0 is not finite");
 	refusesuv(TRI "vt 0 x\nf 1/1 2/1 3/1\n", MESH_EFORMAT, "'x' is not a coordinate");
 	refusesuv(TRI VT "# lhgrid T\nf 1/1 2/2 3/3\n", MESH_EVALUE, "T '' is not a positive number");
 	refusesuv(TRI VT "# lhgrid T -1\nf 1/1 2/2 3/3\n", MESH_EVALUE, "line 7: T '-1' is not a positive");
 	refusesuv(TRI VT "# lhgrid T nan\nf 1/1 2/2 3/3\n", MESH_EVALUE, "is not a positive number");
-	refusesuv(TRI VT "f 1/1 2/2 4/3\n", MESH_EINDEX, "face 0 names vertex 3 of 3");
+	refusesuv(TRI VT "f 1/1 2/2 4/3\n", MESH_EINDEX, "face 0 refers to vertex 3, there are 3");
 	refusesuv("OFF\n0 0 0\n", MESH_EFORMAT, "only OBJ and PLY carry (u,v)");
 	reads(TRI VT "f 1/1 2/2 3/3\nf 1/1 3/2 2/2\n", 3, "0 1 2/0 2 1");        /* a seam is fine else */
 	reads(TRI "vt nan\n# lhgrid T x\nf 1/7 2/7 3/7\n", 3, "0 1 2");

@@ -140,23 +140,23 @@ apart() {
 }
 
 @test "errors of --uv and --on" {
-	try 2 'need an end of .obj or .ply'     "$tmp/cap.off" mesh2rect --uv="$tmp/x.off"
-	try 2 'need an end of .obj or .ply'     "$tmp/cap.off" mesh2rect --uv=-
+	try 2 'need a name that ends in .obj or .ply' "$tmp/cap.off" mesh2rect --uv="$tmp/x.off"
+	try 2 'need a name that ends in .obj or .ply' "$tmp/cap.off" mesh2rect --uv=-
 	cp "$tmp/uv.ply" "$tmp/same.ply"
 	ln -s same.ply "$tmp/link.ply"
 	ln "$tmp/same.ply" "$tmp/hard.ply"
 	for o in same.ply ./same.ply ../"${tmp##*/}"/same.ply link.ply; do
-		try 2 'the grid goes there'         "$tmp/cap.off" mesh2rect -n 8 --uv="$tmp/same.ply" -o "$tmp/$o"
+		try 2 'the grid is written there' "$tmp/cap.off" mesh2rect -n 8 --uv="$tmp/same.ply" -o "$tmp/$o"
 		try 2 'the mesh is read from there' /dev/null mesh2rect -n 8 --uv="$tmp/$o" "$tmp/same.ply"
 	done
-	try 2 'the grid goes there'             "$tmp/cap.off" mesh2rect -n 8 --uv="$tmp/new.ply" -o "$tmp/./new.ply"
+	try 2 'the grid is written there' "$tmp/cap.off" mesh2rect -n 8 --uv="$tmp/new.ply" -o "$tmp/./new.ply"
 	cmp "$tmp/uv.ply" "$tmp/same.ply"
 	[ ! -e "$tmp/new.ply" ]
 	try 0 '' "$tmp/cap.off" mesh2rect -n 8 --uv="$tmp/same.ply" -o "$tmp/hard.ply"
 	lhinfo "$tmp/hard.ply" >/dev/null
 	mesh2rect -n 8 "$tmp/same.ply" >/dev/null
-	try 2 'stdin is the grid'               "$tmp/phi" grid2mesh --on=-
-	try 2 'need an end of .off .obj or .ply' /dev/null grid2mesh --on="$tmp/uv.obj" "$tmp/phi" -o "$tmp/x.stl"
+	try 2 'the grid is read from stdin' "$tmp/phi" grid2mesh --on=-
+	try 2 'need a name that ends in .off .obj or .ply' /dev/null grid2mesh --on="$tmp/uv.obj" "$tmp/phi" -o "$tmp/x.stl"
 	[ ! -e "$tmp/x.stl" ]
 	try 1 'nosuch.obj: No such file'        "$tmp/phi" grid2mesh --on="$tmp/nosuch.obj"
 	try 1 'torus.off: only OBJ and PLY carry \(u,v\)' "$tmp/phi" grid2mesh --on="$tmp/torus.off"

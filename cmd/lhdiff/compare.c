@@ -28,7 +28,7 @@ crossings(const char *place, const Mesh *m)
 	switch (distance_crossings(m, &pairs)) {
 	case 0: break;
 	case DISTANCE_ENOMEM: die("no memory for the self-intersections");
-	case DISTANCE_EEDGE: die("%s: not manifold without its faces of no area", place);
+	case DISTANCE_EEDGE: die("%s: not a manifold, even without the faces of zero area", place);
 	default: die("%s: self-intersections cannot be found", place);
 	}
 	return (double)pairs;
@@ -50,7 +50,7 @@ hausdorff(const Mesh *a, const Mesh *b, double error)
 	switch (distance_hausdorff(a, b, error, &d)) {
 	case 0: return d;
 	case DISTANCE_ENOMEM: die("no memory for the Hausdorff distance");
-	case DISTANCE_EAREA: die("no face has an area");
+	case DISTANCE_EAREA: die("all faces of a surface have zero area");
 	default: die("the Hausdorff distance cannot be computed to %g", error);
 	}
 }

@@ -13,7 +13,7 @@ opt_spectable(const char *file)
 	const char *out = cmd_output();
 
 	if (strcmp(file, "-") == 0 || (out ? same_file(file, out) : same_as_stream(file, STDOUT_FILENO)))
-		misuse("--spectrum=%s: the grid goes there", file);
+		misuse("--spectrum=%s: the grid is written there", file);
 }
 
 static double *

@@ -86,10 +86,14 @@ describe_text(FILE *f, const char *name, const Lhg *g)
 {
 	const LhgChannel *c;
 	char span[32];
+	size_t len;
 	Range r;
 
-	for (; *name; name++)
-		putc((unsigned char)*name < ' ' || *name == 0x7f ? '?' : *name, f);
+	for (; *name; name += len ? len : 1)
+		if ((len = lhg_utf8(name, strlen(name))))
+			fprintf(f, "%.*s", (int)len, name);
+		else
+			putc('?', f);
 	fprintf(f, ": %d x %d nodes, T %.9g, frame %d of %d\n", g->nu, g->nv, g->T, g->frame, g->frames);
 	for (c = g->chan; c < g->chan + g->nchan; c++) {
 		r = range(c);

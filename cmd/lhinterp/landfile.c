@@ -117,7 +117,7 @@ landfile_match(const char *path, const Border *a, const Border *b, Matching *m)
 	memcpy(s, bytes, n);
 	s[n] = '\0';
 	if (strlen(s) != n)
-		die("%s: not a text", l.name);
+		die("%s: not a text file", l.name);
 	parse(&l, s, both);
 	switch (matching_init(m, a, b, l.n, l.place[0], l.place[1], &at)) {
 	case 0: break;

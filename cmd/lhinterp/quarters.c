@@ -67,8 +67,8 @@ quarters_check(const CmdInput *A, const Border *a, const CmdInput *B, const Bord
 		return;
 	best = best_turn(rms, angle, aligned);
 	if ((rms[0] > FAR && rms[0] > CLEAR*rms[best]) || angle[0] > angle[best] + TURN)
-		note("%s fits %s better with corners %d,%d,%d,%d (mesh2rect --like): then boundaries are %.2g of "
-		    "their size apart after a turn of %.0f degrees, now %.2g after %.0f", B->name, A->name, best%4 + 1,
-		    (best + 1)%4 + 1, (best + 2)%4 + 1, (best + 3)%4 + 1, rms[best], angle[best]*180/M_PI, rms[0],
-		    angle[0]*180/M_PI);
+		note("%s fits %s better with corners %d,%d,%d,%d (mesh2rect --like): the boundaries are "
+		    "then %.2g of their size apart after a rotation by %.0f degrees, now %.2g after %.0f", B->name, A->name,
+		    best%4 + 1, (best + 1)%4 + 1, (best + 2)%4 + 1, (best + 3)%4 + 1, rms[best], angle[best]*180/M_PI,
+		    rms[0], angle[0]*180/M_PI);
 }

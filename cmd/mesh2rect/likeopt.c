@@ -103,7 +103,7 @@ report_fit(const char *name, const Fit *f)
 {
 	detail("%s: boundaries %.3g of their size apart, %.3g in the next best fit", name, f->rms, f->next);
 	if (f->next <= CLEAR*f->rms)
-		note("%s: the boundaries fit as well otherwise (%.3g of their size apart, and %.3g): the fit "
+		note("%s: the boundaries fit equally well in two positions (%.3g and %.3g of their size apart): the fit "
 		    "that turns the mesh less is chosen", name, f->rms, f->next);
 }
 

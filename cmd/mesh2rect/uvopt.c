@@ -17,9 +17,9 @@ opt_uv(const char *file, const char *mesh)
 	char list[MESHFORMAT_LIST];
 
 	if (!format || !(format->can & MESHFORMAT_UV))
-		misuse("--uv=%s: need an end of %s", file, meshformat_ends(MESHFORMAT_UV | MESHFORMAT_WRITE, list));
+		misuse("--uv=%s: need a name that ends in %s", file, meshformat_ends(MESHFORMAT_UV | MESHFORMAT_WRITE, list));
 	if (out ? same_file(file, out) : same_as_stream(file, STDOUT_FILENO))
-		misuse("--uv=%s: the grid goes there, by --output", file);
+		misuse("--uv=%s: the grid is written there, by --output", file);
 	if (cmd_name_of(mesh) == mesh ? same_file(file, mesh) : same_as_stream(file, STDIN_FILENO))
 		misuse("--uv=%s: the mesh is read from there, and would lose all but positions and faces", file);
 }

@@ -55,7 +55,7 @@ kinds_set(Synth *s, char *arg)
 	for (q = s->kind->par; q->name && strcmp(q->name, arg); q++)
 		;
 	if (!q->name)
-		misuse("%s: a %s has no such parameter", arg, s->kind->name);
+		misuse("%s: no parameter of the kind %s", arg, s->kind->name);
 	value = strtod(equals + 1, &end);
 	if (end == equals + 1 || *end || synth_set(s, arg, value))
 		misuse("%s=%s: need a number in [%g,%g]", arg, equals + 1, q->lo, q->hi);

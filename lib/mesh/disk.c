@@ -33,7 +33,7 @@ checkcorners(const Soup *s, char *err)
 	for (f = 0; f < s->nf; f++)
 		for (i = s->first[f]; i < s->first[f+1]; i++)
 			if (s->idx[i] < 0 || s->idx[i] >= s->nv)
-				return mesh_fail(err, MESH_EINDEX, "face %d names vertex %d of %d",
+				return mesh_fail(err, MESH_EINDEX, "face %d refers to vertex %d, there are %d",
 				    f, s->idx[i], s->nv);
 	return 0;
 }
@@ -230,7 +230,7 @@ disk_from_soup(Disk *d, const Soup *s)
 	if ((e = checkcorners(s, d->err)) != 0 || (e = checkfinite(s, d->err)) != 0)
 		return e;
 	if (s->nf == 0)
-		return mesh_fail(d->err, MESH_EDISK, "no faces: nothing to be a disk");
+		return mesh_fail(d->err, MESH_EDISK, "no faces");
 	scratch = mesh_alloc(d->err, (size_t)s->nv, sizeof *scratch);
 	e = scratch ? build(d, s, scratch) : MESH_ENOMEM;
 	free(scratch);

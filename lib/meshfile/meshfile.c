@@ -128,7 +128,7 @@ check_corners(Reader *r)
 	for (f = 0; f < s->nf; f++)
 		for (i = s->first[f]; i < s->first[f+1]; i++)
 			if (s->idx[i] < 0 || s->idx[i] >= s->nv)
-				return mesh_fail(s->err, MESH_EINDEX, "face %d names vertex %d of %d",
+				return mesh_fail(s->err, MESH_EINDEX, "face %d refers to vertex %d, there are %d",
 				    f, s->idx[i], s->nv);
 	return 0;
 }

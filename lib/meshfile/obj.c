@@ -111,7 +111,7 @@ index_from_0(Reader *r, Token a, int n, const char *things, long long *i)
 		    "face %d has the index 0, OBJ counts from 1", r->s->nf);
 	if (*i < -(long long)n)
 		return mesh_fail(r->s->err, MESH_EINDEX,
-		    "face %d reaches back %lld %s, there are %d", r->s->nf, -*i, things, n);
+		    "face %d refers back by %lld %s, there are %d", r->s->nf, -*i, things, n);
 	*i += *i > 0 ? -1 : n;
 	return 0;
 }
@@ -183,7 +183,7 @@ assign_uv(Obj *o, int f, int c, int v)
 	if (o->of[c] < 0)
 		return mesh_fail(s->err, MESH_EFORMAT, "face %d gives no vt for vertex %d", f, v);
 	if (o->of[c] >= o->nt)
-		return mesh_fail(s->err, MESH_EINDEX, "face %d names vt %d of %d", f, o->of[c], o->nt);
+		return mesh_fail(s->err, MESH_EINDEX, "face %d refers to vt %d, there are %d", f, o->of[c], o->nt);
 	x = o->vt[o->of[c]];
 	if ((uv[0] != -1 || uv[1] != -1) && (uv[0] != x[0] || uv[1] != x[1]))
 		return mesh_fail(s->err, MESH_EVALUE,

@@ -113,7 +113,7 @@ soup_corner(Reader *r, long long i)
 	if (r->ni >= INT_MAX - 1)
 		return too_many(r, "corners");
 	if (i < 0 || i > INT_MAX)
-		return mesh_fail(r->s->err, MESH_EINDEX, "face %d names vertex %lld of %d",
+		return mesh_fail(r->s->err, MESH_EINDEX, "face %d refers to vertex %lld, there are %d",
 		    r->s->nf, i, r->s->nv);
 	if (r->ni == r->capi && (e = grow_corners(r, 2*r->ni + 1)) != 0)
 		return e;
@@ -140,10 +140,10 @@ int
 soup_check_count(Reader *r, const char *what, long long count, size_t room)
 {
 	if (count < 0)
-		return mesh_fail(r->s->err, MESH_EFORMAT, "header promises %lld %s", count, what);
+		return mesh_fail(r->s->err, MESH_EFORMAT, "header announces %lld %s", count, what);
 	if ((unsigned long long)count > room)
 		return mesh_fail(r->s->err, MESH_EFORMAT,
-		    "header promises %lld %s, file has room for %zu", count, what, room);
+		    "header announces %lld %s, file has room for %zu", count, what, room);
 	return count >= INT_MAX - 1 ? too_many(r, what) : 0;
 }
 
