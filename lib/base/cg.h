@@ -14,20 +14,20 @@ typedef struct CgSystem {
 } CgSystem;
 
 typedef struct CgLimits {
-	double reduction;       /* stop when |r| in the norm of P^-1 is this share of its start */
+	double reduction;       /* stop when |r| in the norm of P^-1 is this share of the first */
 	int    steps;
 	double radius;          /* of the trust region: |x - start| in the norm of P; or HUGE_VAL */
 	double worth;           /* stop when a step adds less than this share of the decrease */
 } CgLimits;
 
 typedef struct CgResult {
-	double decrease;        /* twice that of the function */
+	double decrease;        /* twice the decrease of the function */
 	double length;          /* |x - start| in the norm of P, the radius if that was reached */
 	int    steps;           /* equal to the limit if nothing else stopped it before */
 } CgResult;
 
-/* x  in/out  a start, and the solution
- * r  in/out  in: the residual b - A x of the start; out: that before or after the last step
+/* x  in/out  in: the start; out: the solution
+ * r  in/out  in: the residual b - A x of the start; out: the residual before or after the last step
  * z, p, q    workspace of n numbers each */
 CgResult cg(const CgSystem *s, const CgLimits *limits, double *x, double *r, double *z, double *p, double *q);
 

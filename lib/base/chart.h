@@ -17,8 +17,8 @@
 
 typedef struct Chart Chart;
 
-/* One row for each kind of chart.  A side of the domain is open, with nodes on it and nothing
- * beyond it; or it is joined to another side, and lies half a step beyond the last nodes. */
+/* One constant for each kind of chart.  A side of the domain is either open, with nodes on it and
+ * nothing beyond, or joined to another side and half a step away from the last nodes. */
 typedef struct ChartKind {
 	int joined[2][2];       /* along u: the sides u = 0 and u = 1; along v: v = 0 and v = T */
 

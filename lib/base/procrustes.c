@@ -57,7 +57,7 @@ procrustes_rotation(double C[3][3], double R[3][3], double *gain)
 	return 0;
 }
 
-/* The weighted centre of x, and the largest distance from it along an axis. */
+/* The weighted centre of x, and the largest distance from it along any axis. */
 static void
 centre_and_reach(int n, const double *w, const double *x, double centre[3], double *reach)
 {

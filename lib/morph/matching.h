@@ -36,7 +36,7 @@ typedef struct Matching {
  * first that is not, or n. */
 int matching_order(int n, const double *place);
 
-/* p, q  in   [n] places in such an order, n >= 1
+/* p, q  in   [n] places in counterclockwise order, n >= 1
  * at    out  with MATCHING_ELENGTH: the first of the two landmarks
  *
  * Returns 0, or a negative code with nothing to free. */
@@ -47,7 +47,7 @@ int  matching_init(Matching *m, const Border *a, const Border *b, int n, const d
 int  matching_conformal(Matching *m, const Border *a, const Border *b);
 void matching_free(Matching *m);
 
-/* Weights w[n]: half the length of the edges at each vertex, over the length of the curve,
+/* Sets w[n]: half the length of the edges at each vertex, as a share of the length of the curve,
  * summed over both curves. */
 void matching_weights(const Matching *m, double *w);
 

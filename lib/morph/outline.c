@@ -56,7 +56,7 @@ smooth(int n, double *x, double unit)
 			f[i] = x[3*i+c]/unit;
 		fftw_execute(forth);
 		for (i = 0; i <= n/2; i++) {
-			factor = i ? exp(-(i/WAVES)*(i/WAVES))/n : 0;           /* the centre goes to 0 */
+			factor = i ? exp(-(i/WAVES)*(i/WAVES))/n : 0;           /* moves the centre to 0 */
 			F[i][0] *= factor;
 			F[i][1] *= factor;
 		}

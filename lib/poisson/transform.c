@@ -73,7 +73,7 @@ transform_sine(const Transform *t, double *f, double *work)
 }
 
 /* With y_j = (f_j + f_{N-j})/2 - sin(pi j/N)(f_j - f_{N-j}) and R - iI its transform,
- * F_2k = R_k and F_2k+1 - F_2k-1 = I_k, F_1 summed. */
+ * F_2k = R_k and F_2k+1 - F_2k-1 = I_k; F_1 is summed directly. */
 void
 transform_cosine(const Transform *t, double *f, double *work)
 {

@@ -29,8 +29,8 @@ typedef struct Transform {
 int  transform_init(Transform *t, int N);
 void transform_free(Transform *t);
 
-/* Size of the workspace of one transform, fftw_alloc_real(transform_room(t)); every thread
- * needs its own. */
+/* Size of the workspace of a transform, in numbers.  Every thread needs its own, allocated by
+ * fftw_alloc_real. */
 size_t transform_room(const Transform *t);
 
 /* In place: the N - 1 numbers f_1 .. f_{N-1}, N >= 2. */

@@ -83,7 +83,7 @@ larger_first(const void *x, const void *y)
 	return r->q > t->q ? 1 : -1;
 }
 
-/* What a coefficient adds to the sum that a rule bounds: to their number or to their energy. */
+/* What a coefficient adds to the sum that a rule bounds, the number of coefficients or their energy. */
 static double
 sum_term(Spectrum s, FilterRule rule, const Ranked *r)
 {

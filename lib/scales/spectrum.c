@@ -42,7 +42,7 @@ spectrum_wave(Spectrum s, size_t q)
 	return hypot(m/(half*s.g.nu*chart_h(s.g)), n/(half*s.g.nv*chart_k(s.g)));
 }
 
-/* FFTW's REDFT10 is 4 sum f cos cos; times e_m e_n, e_0 = 1/2, other e = 1/sqrt 2, it is C. */
+/* FFTW's REDFT10 is 4 sum f cos cos, so C = e_m e_n REDFT10 with e_0 = 1/2, other e = 1/sqrt 2. */
 static double
 dct_norm(Spectrum s, size_t q)
 {
@@ -97,7 +97,7 @@ spectrum_inverse(Spectrum s, const double complex *C, double *f)
 		return SPECTRUM_ENOMEM;
 	}
 	if (dct)
-		plan = dct_plan(s, out, out, FFTW_REDFT01);     /* of REDFT10: 4 n f */
+		plan = dct_plan(s, out, out, FFTW_REDFT01);     /* inverts REDFT10, times 4 n */
 	else
 		plan = fftw_plan_dft_c2r_2d(s.g.nv, s.g.nu, in, out, FFTW_ESTIMATE);
 	for (q = 0; q < spectrum_size(s); q++)

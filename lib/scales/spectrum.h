@@ -31,7 +31,7 @@ typedef struct Spectrum {
 /* Number of columns of C: nu, or nu/2 + 1. */
 int spectrum_columns(Spectrum s);
 
-/* Number of coefficients held, columns nv. */
+/* Number of coefficients in C: columns times nv. */
 size_t spectrum_size(Spectrum s);
 
 /* How many of the nu nv coefficients an entry of column m of C stands for: 2 for a conjugate pair of
@@ -41,14 +41,14 @@ int spectrum_weight(Spectrum s, int m);
 /* The wave number of coefficient q of C: cycles per unit of u, in any direction of (u,v),
  *
  *   dct  |( m/(2 nu h), n/(2 nv k) )|
- *   dft  |( m/(nu h), n/(nv k) )|, n - nv for n where that is nearer to 0 */
+ *   dft  |( m/(nu h), n/(nv k) )|, with n - nv in place of n where that is nearer to 0 */
 double spectrum_wave(Spectrum s, size_t q);
 
 /* Return 0 or SPECTRUM_ENOMEM. */
 int spectrum_forward(Spectrum s, const double *f, double complex *C);
 int spectrum_inverse(Spectrum s, const double complex *C, double *f);
 
-/* |C|.  In the columns 0 and nu/2 of the dft both coefficients of a conjugate pair are in C.
+/* modulus = |C|.  In the columns 0 and nu/2 of the dft both coefficients of a conjugate pair are in C.
  * They get the same modulus, without rounding differences, so that a bound keeps or drops both. */
 void spectrum_moduli(Spectrum s, const double complex *C, double *modulus);
 

@@ -8,8 +8,7 @@
 
 enum { FEW = 16 };      /* most columns of a small node */
 
-/* A supernode under construction: columns from `first`, rows below them, explicit zeros
- * stored. */
+/* A supernode under construction: its columns, from `first` on, rows below them, and explicit zeros. */
 typedef struct Node {
 	int    first, columns, rows;
 	double zeros;
@@ -25,8 +24,8 @@ merge(const Node *a, const Node *b)
 	return m;
 }
 
-/* Merging stores explicit zeros; not merging costs overhead for each node.  Merge while zeros
- * stay below the given share. */
+/* Whether the merged node m is better than its two parts.  Merging stores explicit zeros, but saves
+ * the overhead of a node: a small share of zeros is accepted, and a larger one in small nodes. */
 static int
 worth_merging(const Node *m)
 {
@@ -85,9 +84,9 @@ store_nodes(Chol *c, const Node *node, int nodes)
 	return 0;
 }
 
-/* The rows below each node, in rising order: every entry of row p adds p to its node and the nodes
- * above, up to the node of p.  mark and node are [n] scratch: the last row added to a node, and
- * the node of each column.  end[s] is where the rows of node s end so far. */
+/* The rows below each node, in rising order.  From the node of each entry in row p, p is added to all
+ * nodes up the tree, below the node of p.  mark and node are [n] scratch: the last row added to a
+ * node, and the node of each column.  end[s] is where the rows of node s end so far. */
 static void
 find_rows(Chol *c, const Etree *t, int *mark, int *node, size_t *end)
 {

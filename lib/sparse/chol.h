@@ -22,7 +22,7 @@ enum {
 typedef struct Chol {
 	const Graph *g;
 	int     n, nodes;
-	int    *order, *place;  /* [n] vertex at a column, column of a vertex */
+	int    *order, *place;  /* [n] vertex of a column, column of a vertex */
 	int    *first;          /* [nodes+1] */
 	int    *parent;         /* [nodes] the node of the first row below, -1 if there is none */
 	size_t *below;          /* [nodes+1] */

@@ -15,7 +15,7 @@
 
 #include "cholpriv.h"
 
-enum { SUBTREES = 256 };        /* a subtree has at most one part in so many of the work */
+enum { SUBTREES = 256 };        /* a subtree has at most 1/SUBTREES of the work */
 
 typedef struct Run {
 	const Chol       *c;
@@ -67,7 +67,7 @@ eliminate(Run *r, int s)
 	r->update[s] = f.update;
 }
 
-/* Called when node s is done: goes on with its parent if s was the last child, and so on up. */
+/* Node s is done: eliminates its parent if s was the last child to be done, and so on up the tree. */
 static void
 climb(Run *r, int s)
 {
@@ -165,7 +165,7 @@ link_children(Run *r)
 		}
 }
 
-/* The subtrees: the largest ones within their share of the work, and single leaves above it. */
+/* The subtrees: the largest ones with at most their share of the work, and leaves with more. */
 static int
 choose_subtrees(Run *r)
 {

@@ -1,7 +1,7 @@
 /* dissect.c - nested dissection of a rectangle. */
 #include "dissect.h"
 
-enum { LEAF = 8 };      /* largest number of nodes that is not divided further */
+enum { LEAF = 8 };      /* a rectangle of at most so many nodes is not divided */
 
 typedef struct Dissection {
 	int  nu, fields;

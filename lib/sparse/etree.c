@@ -1,4 +1,4 @@
-/* etree.c - the elimination tree, row by row: each entry climbs to the first column visited before.
+/* etree.c - the elimination tree, row by row: from each entry up to the first column already visited.
  *
  * T. A. Davis, Direct Methods for Sparse Linear Systems (2006), chapter 4.  Every entry of L is
  * visited once.  The skeleton of L would suffice, but that code is three times as long, and this
@@ -75,8 +75,8 @@ find_parents(Etree *t)
 
 /* Sets to[p], the place of column p in a postorder where the child with the longest column comes
  * directly before its parent.  Scratch, [n+1] with the root of all trees as column n: longest[p] is
- * that child, size[p] counts the columns of the subtree of p, and the subtree of the next other
- * child of p ends before end[p]. */
+ * that child, size[p] is the number of columns in the subtree of p, and end[p] is the place after the
+ * subtree of the next of its other children. */
 static void
 postorder(const Etree *t, int *to, int *longest, int *size, int *end)
 {

@@ -5,8 +5,8 @@
 
 enum {
 	GROUP = 8,              /* tile columns that are eliminated together */
-	LARGE = 40,             /* with at least so many row blocks left, tasks pay */
-	GRAIN = 8               /* row blocks a task, an even number */
+	LARGE = 40,             /* at least so many row blocks are divided into tasks */
+	GRAIN = 8               /* row blocks in a task, an even number */
 };
 
 /* Columns of the tiles in tile column J: eight, or fewer at the end of the panel. */
@@ -26,7 +26,7 @@ tile(const Front *f, int I, int J)
 	return f->update + front_update(I - f->pivots) + PRODUCT_ROWS*PRODUCT_ROWS*(J - f->pivots);
 }
 
-/* Subtracts the products of tile columns from .. to-1 from tile (I,J) and, if n is 2, (I+1,J). */
+/* In tile (I,J), and if n is 2 in (I+1,J), subtracts the products of tile columns `from` .. `to`-1. */
 static void
 subtract(const Front *f, int I, int n, int J, int from, int to)
 {
@@ -58,7 +58,7 @@ factor_tile(double *d, int n)
 	return bad;
 }
 
-/* Computes the factor in tile columns from .. to-1, down to row block to-1. */
+/* Computes the factor in tile columns `from` .. `to`-1, down to row block `to`-1. */
 static int
 factor_triangle(const Front *f, int from, int to)
 {
@@ -76,7 +76,7 @@ factor_triangle(const Front *f, int from, int to)
 	return bad;
 }
 
-/* Computes the factor in tile columns from .. to-1 of n row blocks from I on, below that triangle. */
+/* Computes the factor in the same columns of row blocks I .. I+n-1, further down. */
 static void
 divide_below(const Front *f, int I, int n, int from, int to)
 {
@@ -89,7 +89,7 @@ divide_below(const Front *f, int I, int n, int from, int to)
 	}
 }
 
-/* Subtracts the products of tile columns from .. to-1 from all later columns of n row blocks. */
+/* In all later columns of n row blocks, subtracts the products of tile columns `from` .. `to`-1. */
 static void
 subtract_group(const Front *f, int I, int n, int from, int to)
 {
@@ -101,7 +101,7 @@ subtract_group(const Front *f, int I, int n, int from, int to)
 		subtract(f, I + 1, 1, I + 1, from, to);
 }
 
-/* What is done to n <= 2 row blocks from I on once tile columns from .. to-1 are factored. */
+/* divide_below or subtract_group, for n <= 2 row blocks. */
 typedef void Step(const Front *, int I, int n, int from, int to);
 
 /* Applies step to row blocks I .. end-1, two at a time. */

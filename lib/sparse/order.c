@@ -1,6 +1,6 @@
 /* order.c - nested dissection of the graph of a surface; split.c chooses the separators.
  *
- * Measured on a torus patch, on two cores that were also busy otherwise: seconds of ordering (this
+ * Measured on a torus patch, on two cores that had other work too: seconds of ordering (this
  * code on two threads) + of numeric factorization by CHOLMOD, M entries of the factor, gigaflops:
  *
  *   vertices   AMD                    METIS (cholmod_metis)   this
@@ -20,7 +20,7 @@
 #include "vertexcut.h"
 
 enum {
-	LEAF = 64,              /* most vertices of a piece that is not split, one bit each */
+	LEAF = 64,              /* a piece of at most so many vertices is not split; a bit each */
 	TASK = 4096             /* a piece with more vertices is a task */
 };
 

@@ -7,7 +7,8 @@
  * paths. */
 #include "vertexcut.h"
 
-enum { NONE = -1, END = -2 };   /* of a path; as parent: not visited, start of a search */
+/* In next and prev: not on a path, end of the path.  In parent: not visited, start of a search. */
+enum { NONE = -1, END = -2 };
 
 /* During the search, side[v] of a band vertex has these flags: which sides it touches. */
 enum { BAND = CUT_SEPARATOR, AT_LEFT = 4, AT_RIGHT = 8 };
@@ -72,7 +73,7 @@ augment(Cut *c, int node)
 		if (node%2 == 0 && from/2 != node/2) {          /* out(v) -> in(w) */
 			c->next[from/2] = node/2;
 			c->prev[node/2] = from/2;
-		} else if (node%2 == 0)                         /* out(v) -> in(v): off the path */
+		} else if (node%2 == 0)                         /* out(v) -> in(v): v leaves its path */
 			c->next[node/2] = c->prev[node/2] = NONE;
 	c->prev[node/2] = END;
 }

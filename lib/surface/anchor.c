@@ -1,4 +1,4 @@
-/* anchor.c - places a surface known only up to a rigid motion. */
+/* anchor.c - moves a surface into place rigidly. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* anchor.h - places a surface known only up to a rigid motion: nodes whose positions are known. */
+/* anchor.h - moves a surface into place rigidly, by nodes whose positions are known. */
 #ifndef ANCHOR_H
 #define ANCHOR_H
 

@@ -30,7 +30,7 @@ static const double WORTH = 1e-3;       /* least share of the decrease a CG step
 
 typedef struct Work {
 	Misfit *m;
-	const double *phi;              /* the surface of the normal equations */
+	const double *phi;              /* the surface at which J is taken */
 	Plate   plate;
 	size_t  n;                      /* numbers in a vector */
 	double *r, *z, *p, *q, *d, *y;  /* residual, preconditioned, direction, J'J p; step, trial */
@@ -125,10 +125,10 @@ trial(Work *k, const double *phi, double t)
 }
 
 /* Step length along d, and E there.  The length is 1 if that lowers E by at least a quarter of the
- * predicted decrease.  Otherwise it is reduced, a few times at most, to the minimum of the parabola
- * with E at both ends and the slope at the start, -2 <b,d>.  *predicted is set to the predicted
- * decrease for that length.  Near folds E rises early along d; backtracking here is ten times cheaper
- * than rediscovering that with another CG solve. */
+ * predicted decrease.  Otherwise it is reduced, at most SHORTER times, to the minimum of the parabola
+ * that has the values of E at both ends and the slope at the start, -2 <b,d>.  *predicted is set to
+ * the predicted decrease for that length.  Near folds E rises early along d; backtracking here is ten
+ * times cheaper than rediscovering that with another CG solve. */
 static double
 step_length(Work *k, const double *phi, double E, double bd, double *predicted, double *E2)
 {
@@ -194,7 +194,7 @@ set_weights(Misfit *m, double share)
 	m->alpha = BLUNT_ALPHA*pow(SHARP_ALPHA/BLUNT_ALPHA, share);
 }
 
-/* The last ten steps: where each began. */
+/* The state before each of the last ten steps. */
 typedef struct Past {
 	double E[TEN], moved[TEN];      /* E, and the sum of the changes of all steps before */
 	int    steps;
@@ -209,8 +209,8 @@ remember(Past *past, double E, double moved)
 
 /* A shortened step says nothing about convergence, unless the last ten steps together barely lowered
  * E or barely moved: with data that belong to no surface, steps can creep for ever.  Nor does a step
- * only just below the tolerance while E is still falling fast, or, if CG reached its limit of steps
- * and may have missed slow components, while E is falling at all. */
+ * only just below the tolerance while E is still falling fast.  If CG reached its limit of steps, it
+ * may have missed slow components; then such a step counts only when E hardly falls any more. */
 static int
 converged(const FitOptions *o, const Outcome *is, double E, double moved, const Past *past)
 {

@@ -12,12 +12,12 @@
 
 enum { FIT_ENOMEM = -1 };
 
-/* Progress: after each step, and at the end. */
+/* Progress, after each step and at the end. */
 typedef struct FitProgress {
 	int    nu, nv, step;
 	double energy, change;          /* E; root mean square displacement over sqrt(area) */
 	long   solves;                  /* with the plate, on this grid */
-	double cost;                    /* solves on all grids, in units of one on the finest */
+	double cost;                    /* solves on all grids, in units of a solve on the finest */
 	size_t worst;                   /* without convergence: the node of the largest residual */
 } FitProgress;
 

@@ -16,7 +16,7 @@ typedef struct Given {
 	double       *pqn;      /* [node][3 fields][3 coordinates], the solution of the second */
 } Given;
 
-/* Average and differences of the four corners of a cell, as weights. */
+/* Weights of the four corners of a cell in the average and in the differences. */
 static const double MEAN[4] = { 0.25, 0.25, 0.25, 0.25 };
 static const double SIGN_U[4] = { -1, 1, -1, 1 }, SIGN_V[4] = { -1, -1, 1, 1 };
 
@@ -45,7 +45,7 @@ centre_v(Chart g, const double *f, int i, int j)
 	return (b[0] - a[0] + b[1] - a[1])/(2*chart_k(g));
 }
 
-/* The row gains  c_u f_u + c_v f_v + c f  for field f at the cell's centre. */
+/* Adds the term  c_u f_u + c_v f_v + c f  to the row, for field f at the cell's centre. */
 static void
 term(const Given *s, double *row, int fields, int field, double c_u, double c_v, double c)
 {
@@ -204,8 +204,8 @@ read_band(Given *s, int ring, Chart fine, double *const phi[3], int *at)
 	return 0;
 }
 
-/* With B = (p q): lambda B (B'B)^(-1/2), with a closed form of the inverse square root of a 2 x 2
- * matrix. */
+/* Replaces B = (p q) by lambda B (B'B)^(-1/2).  The inverse square root of a 2 x 2 matrix has a closed
+ * form. */
 void
 frame_make_conformal(double lambda, double p[3], double q[3])
 {

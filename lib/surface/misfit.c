@@ -7,7 +7,7 @@
 #include "misfitnode.h"
 
 static const double FINEST = 2;         /* H is clipped where n would turn more over a cell */
-static const double BLUR = 1e-6;        /* of n where phi_u x phi_v is small, misfit.h */
+static const double BLUR = 1e-6;        /* smooths n where phi_u x phi_v is small, misfit.h */
 
 static double
 clip(const Misfit *m, double lambda2, double l2H)

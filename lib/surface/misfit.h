@@ -23,7 +23,7 @@
  * n goes to 0 with it.  (Not with a residue: the surface it comes from has no folds.)
  *
  * Where the boundary is free, border nodes add the last two lines too, with w/10 and
- * differences that are one-sided across the border, of second order as those inside.
+ * differences that are one-sided across the border, of second order like those inside.
  *
  * Vectors of displacements and gradients are three fields [3][nv][nu], 0 on the border unless
  * it is free.
@@ -65,7 +65,7 @@ typedef struct Misfit {
 int  misfit_init(Misfit *m, Chart g, const double *lambda2, const double *l2H, const Residue *residue);
 void misfit_free(Misfit *m);
 
-/* Makes the boundary free.  Residues are not defined on the border: its target is a conformal
+/* Makes the boundary free.  Residues are not defined on the border, so the target there is a conformal
  * metric. */
 void misfit_set_free(Misfit *m);
 

@@ -46,7 +46,7 @@ slopes(const Stencil *s, const double *f, size_t n, double x[3])
 		x[c] = stencil_sum(s, f + c*n);
 }
 
-/* Steps along the edge of the grid, from node to node. */
+/* Number of steps once round the edge of the grid. */
 static int
 edge_length(Chart g)
 {

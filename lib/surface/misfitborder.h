@@ -8,7 +8,7 @@
 
 #include "misfit.h"
 
-/* The mean of the squared steps h and k. */
+/* (h^2 + k^2)/2 */
 double misfit_step2(Chart g);
 
 /* The weight o of a node from |grad log lambda|^2 there. */
@@ -20,7 +20,7 @@ void misfit_border_weights(Misfit *m);
 /* The contribution of the border to E; also the node that contributes most, and how much. */
 double misfit_border_energy(const Misfit *m, const double *phi, size_t *worst, double *most);
 
-/* Adds the part of the border nodes in J'J d to g; if d is NULL, that in J'r. */
+/* Adds to g what the border nodes contribute to J'J d or, if d is NULL, to J'r. */
 void misfit_border_apply(const Misfit *m, const double *phi, const double *d, double *g);
 
 #endif

@@ -9,7 +9,7 @@
 #include "../grid/resample.h"
 #include "surface.h"
 
-enum { COARSEST = 65*65 };      /* least nodes of a coarse grid */
+enum { COARSEST = 65*65 };      /* nodes that a coarse grid has at least */
 static const double SQUARE = 1.5;       /* ratio of the sides of a cell up to which both are coarsened */
 static const double ENOUGH = 1e-4;      /* tolerance of coarse grids */
 enum { ROUGH = 12 };            /* most steps on coarse grids */
@@ -151,7 +151,7 @@ start_from_frame(const Surface *s, const Level *l, double *finest)
 	return e == SPD_ENOMEM ? SURFACE_ENOMEM : e ? SURFACE_ESTART : 0;
 }
 
-/* Whether the start has as many nodes as g. */
+/* Whether the start has at least as many nodes as g in each direction. */
 static int
 resolves(const Surface *s, Chart g)
 {
@@ -230,8 +230,8 @@ choose_anchor(const Surface *s, double unit, const double *phi, Anchor *a)
 	return e;
 }
 
-/* Free boundary: find a start with the boundary held, fit with all nodes free, then place the
- * result rigidly. */
+/* Free boundary: starts as with a held boundary, fits with all nodes free, then moves the result
+ * rigidly into place. */
 static int
 descend_free(const Surface *s, double unit, const Level *finest, const FitOptions *o, FitProgress *at)
 {
