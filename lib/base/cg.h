@@ -14,10 +14,10 @@ typedef struct CgSystem {
 } CgSystem;
 
 typedef struct CgLimits {
-	double reduction;       /* stop when |r| in the norm of P^-1 is this share of the first */
+	double reduction;       /* stop when |r| in the norm of P^-1 is this share of its first value */
 	int    steps;
 	double radius;          /* of the trust region: |x - start| in the norm of P; or HUGE_VAL */
-	double worth;           /* stop when a step adds less than this share of the decrease */
+	double worth;           /* stop when a step adds less than this share of the decrease so far */
 } CgLimits;
 
 typedef struct CgResult {

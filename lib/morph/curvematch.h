@@ -7,8 +7,8 @@ enum {
 	CURVEMATCH_EVALUE = -2          /* a curve that is not finite */
 };
 
-/* For every shift s: the distance between the curve a and the curve b begun s points later, after the
- * best rigid motion of b:
+/* For every shift s: the distance between curve a and curve b, whose starting point is moved s points
+ * on, after the best rigid motion of b:
  *
  *   rms[s]^2 = min over R, t of the mean of |a_i - (R b_(i+s mod n) + t)|^2
  *            = (|a|^2 + |b|^2 - 2 max over R of tr(R' C(s)))/n,   C(s) = sum a_i b'_(i+s)

@@ -13,7 +13,7 @@ typedef struct Keyed {
 	double *key, *r, *x;
 } Keyed;
 
-/* How far it is counterclockwise from one place to another. */
+/* The distance counterclockwise from one place to another, 0 .. 4. */
 static double
 ahead(double from, double to)
 {

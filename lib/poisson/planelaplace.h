@@ -1,8 +1,8 @@
 /* planelaplace.h - the Laplacian of the plane on a grid, inverted by fast transforms.
  *
  * Bilinear elements on [0,1] x [0,T]; values are 0 on the two sides across one axis and
- * free on the other two.  Its eigenvectors are sines along the axis and cosines across
- * it.  The preconditioner of the polish (doc/mathematics.md 3.6).
+ * free on the other two.  The eigenvectors are sines along the axis and cosines across it.
+ * The operator is the preconditioner of the polish (doc/mathematics.md 3.6).
  */
 #ifndef PLANELAPLACE_H
 #define PLANELAPLACE_H

@@ -15,7 +15,7 @@
 
 enum { WIDTH = 8 };             /* columns copied at a time: one cache line */
 
-/* Eigenvalues of minus the second difference over N steps, of waves first .. first + n-1. */
+/* Eigenvalues of minus the second difference over N steps, for waves first .. first + n-1. */
 static double *
 eigenvalues(int n, int first, int N, double step)
 {

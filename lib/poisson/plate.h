@@ -33,8 +33,8 @@ int  plate_init(Plate *p, Chart g, int free);
 void plate_free(Plate *p);
 
 /* z = P^-1 z in place, for three fields z[3][nv][nu]; on a held border they must be 0 and
- * remain 0.  The cost is six sine (cosine) transforms: one vector Poisson solve, the unit in
- * which the cost of a reconstruction is counted.  The same bits for any number of threads. */
+ * remain 0.  The cost is six sine (cosine) transforms: one vector Poisson solve, the unit in which
+ * the cost of a reconstruction is counted.  The result has the same bits for any number of threads. */
 void plate_solve(const Plate *p, double a, double b, double *z);
 
 #endif

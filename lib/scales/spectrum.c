@@ -97,7 +97,7 @@ spectrum_inverse(Spectrum s, const double complex *C, double *f)
 		return SPECTRUM_ENOMEM;
 	}
 	if (dct)
-		plan = dct_plan(s, out, out, FFTW_REDFT01);     /* inverts REDFT10, times 4 n */
+		plan = dct_plan(s, out, out, FFTW_REDFT01);     /* inverts REDFT10 up to a factor 4 n */
 	else
 		plan = fftw_plan_dft_c2r_2d(s.g.nv, s.g.nu, in, out, FFTW_ESTIMATE);
 	for (q = 0; q < spectrum_size(s); q++)

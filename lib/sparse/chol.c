@@ -84,9 +84,9 @@ store_nodes(Chol *c, const Node *node, int nodes)
 	return 0;
 }
 
-/* The rows below each node, in rising order.  From the node of each entry in row p, p is added to all
- * nodes up the tree, below the node of p.  mark and node are [n] scratch: the last row added to a
- * node, and the node of each column.  end[s] is where the rows of node s end so far. */
+/* The rows below each node, in rising order.  For each entry of row p, p is added to the node of the
+ * entry's column and to its ancestors below the node of p.  mark and node are [n] scratch: the last
+ * row added to a node, and the node of each column.  end[s] is where the rows of node s end so far. */
 static void
 find_rows(Chol *c, const Etree *t, int *mark, int *node, size_t *end)
 {

@@ -5,7 +5,7 @@
 
 enum {
 	GROUP = 8,              /* tile columns that are eliminated together */
-	LARGE = 40,             /* at least so many row blocks are divided into tasks */
+	LARGE = 40,             /* number of row blocks from which tasks are used */
 	GRAIN = 8               /* row blocks in a task, an even number */
 };
 

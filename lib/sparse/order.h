@@ -18,7 +18,7 @@ typedef struct Graph {
 
 /* order   out  [n] vertex order[0] is eliminated first
  *
- * Memory is at most 14 numbers an edge, time n log n.  The order is the same for any number of
+ * Memory: at most 14 numbers for each edge.  Time: n log n.  The order is the same for any number of
  * threads.  Returns 0 or ORDER_ENOMEM. */
 int order_graph(const Graph *g, int *order);
 

@@ -8,7 +8,7 @@
 #include "fit.h"
 
 static const double BLUNT_W = 30, BLUNT_ALPHA = 1, SHARP_W = 100, SHARP_ALPHA = 0.1;
-static const double TENSION = 3;        /* of the plate, over w^2: fewest steps on our meshes */
+static const double TENSION = 3;        /* of the plate, over w^2; 3 takes the fewest steps */
 enum { MOST_CG = 60, TEN = 10 };
 /* With a free boundary surfaces bend easily and far.  CG gets few steps until a Gauss-Newton step
  * was short and E fell as predicted: more would be spent on bending that the next step undoes.
@@ -24,7 +24,7 @@ static const double SURE = 0.1;         /* a step below this share of the tolera
                                          * converged whatever E does */
 static const double POOR = 0.25;        /* if the decrease is below this share of the predicted one,
                                          * the step is shortened */
-enum { SHORTER = 3 };           /* most times that a step is shortened */
+enum { SHORTER = 3 };           /* how often a step is shortened at most */
 static const double CREEP = 5e-4;       /* least share of E by which ten steps must lower it */
 static const double WORTH = 1e-3;       /* least share of the decrease a CG step must add */
 

@@ -1,7 +1,7 @@
 /* misfitnode.h - the residuals of a node and their derivatives.  Private to misfit.
  *
- * Four neighbouring nodes of a row at a time, in vectors; the compiler splits them if those of the
- * processor are shorter, with the same results. */
+ * Four neighbouring nodes of a row are computed at a time, in vectors.  For a processor with shorter
+ * vectors the compiler splits them; the results are the same. */
 #ifndef MISFITNODE_H
 #define MISFITNODE_H
 

@@ -9,7 +9,7 @@
 #include "../grid/resample.h"
 #include "surface.h"
 
-enum { COARSEST = 65*65 };      /* nodes that a coarse grid has at least */
+enum { COARSEST = 65*65 };      /* fewest nodes of a coarse grid */
 static const double SQUARE = 1.5;       /* ratio of the sides of a cell up to which both are coarsened */
 static const double ENOUGH = 1e-4;      /* tolerance of coarse grids */
 enum { ROUGH = 12 };            /* most steps on coarse grids */
