@@ -26,7 +26,7 @@ void scales_set(Scales *s, FilterRule rule, const char *option, const char *list
 /* Exit 2 unless exactly one rule is given; to be called once, after all options. */
 void scales_check(Scales *s);
 
-/* Dies unless g has lambda > 0 and H; gives the least lambda. */
+/* Dies unless g has lambda > 0 and H.  Returns the smallest lambda. */
 double scales_need(const CmdInput *in, const Lhg *g);
 
 /* The field that is filtered for H, lambda H or H itself, to be freed; and its name. */

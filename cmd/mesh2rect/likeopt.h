@@ -6,8 +6,8 @@
 
 /* Corners of d, as places in its loop, that correspond to those of the grid in path, or die.
  *
- * reversed  the normal of d, and so the direction of its boundary, may be reversed; it is if the
- *           outlines are closer then
+ * reversed  the normal of d, and so the direction of its boundary, may be reversed; it is
+ *           reversed if the outlines are then closer
  *
  * Returns the distance of the outlines of the two boundaries (curvematch.h, outline.h). */
 double opt_like(const char *path, int reversed, Disk *d, int corner[4]);

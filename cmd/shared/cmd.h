@@ -111,8 +111,8 @@ double *cmd_add(Lhg *g, const char *name, const char *unit, int support, int ste
 /* Set the value of key in the metadata; fmt as printf's. */
 void cmd_meta(Lhg *g, const char *key, const char *fmt, ...);
 
-/* A stream f in memory: bytes[0..n-1], to be freed, after cmd_text_close.  Both functions die without
- * memory, where open_memstream would lose bytes. */
+/* A text in memory, written to the stream f.  After cmd_text_close it is bytes[0..n-1], to be freed.  Both
+ * functions die if memory runs out; open_memstream would lose bytes instead. */
 typedef struct CmdText {
 	FILE  *f;
 	char  *bytes;

@@ -22,7 +22,7 @@ typedef struct Out {
 
 static struct {
 	Out         out;
-	LhgStream   grids;              /* on out.f, once a grid is written */
+	LhgStream   grids;              /* writes to out.f; open from the first grid on */
 } output;
 
 /* Called by the signal handler and by die: async-signal-safe. */

@@ -5,7 +5,7 @@
 #include "polypriv.h"
 #include "../base/vec3.h"
 
-/* The sum of the triangles' cross products about corner 0, over size squared. */
+/* Twice the vector area over size squared, as the sum of cross products of the triangles at corner 0. */
 static void
 vectorarea(const Polygon *p, double size, double side[3])
 {
@@ -32,7 +32,7 @@ plane(const double side[3], double e1[3], double e2[3])
 	int k;
 
 	k = fabs(side[0]) < fabs(side[1]) ? 0 : 1;
-	axis[fabs(side[2]) < fabs(side[k]) ? 2 : k] = 1;        /* far from side */
+	axis[fabs(side[2]) < fabs(side[k]) ? 2 : k] = 1;        /* the axis whose angle with side is largest */
 	cross3(side, axis, e1);
 	len = norm3(e1);
 	for (k = 0; k < 3; k++)

@@ -11,7 +11,7 @@
 enum {
 	MESH_ENOMEM  = -1,
 	MESH_EFORMAT = -2,      /* not a mesh file of a known format, or damaged; err has the place */
-	MESH_EINDEX  = -3,      /* a face names a vertex that does not exist */
+	MESH_EINDEX  = -3,      /* a face refers to a vertex that does not exist */
 	MESH_EVALUE  = -4,      /* a coordinate is NaN or infinite */
 	MESH_EFACE   = -5,      /* a face cannot be split into triangles with area */
 	MESH_EMANIFOLD = -6,    /* an edge of three faces, or a vertex of several fans */

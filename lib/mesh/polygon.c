@@ -32,7 +32,7 @@ smaller_shape(const Polygon *p, int i, const double side[3])
 	return fmin(dot3(m, side), dot3(n, side));
 }
 
-/* Splits by the diagonal whose smaller triangle shape is larger.  The cross product of the diagonals
+/* Splits by the diagonal for which the smaller of the two shapes is larger.  The cross product of the diagonals
  * is the normal of both splits of a flat quad. */
 static int
 quad(Polygon *p)

@@ -193,7 +193,7 @@ ply_read(Reader *r)
 		for (c.i = 0; c.i < c.e->n; c.i++)
 			if ((e = record(&c)) != 0)
 				return e;
-		if (c.e->kind == PLY_STRIP)     /* 16 bytes were reserved for each byte left */
+		if (c.e->kind == PLY_STRIP)     /* free most of the 16 bytes reserved for each byte left */
 			soup_trim(r);
 	}
 	if (p.format == PLY_ASCII)

@@ -15,7 +15,7 @@ typedef struct Text {
 
 enum { TEXT_MAX = 400 };        /* more than any piece appended at once */
 
-/* Make room for one more piece; 0 without memory. */
+/* Make room for one more piece.  Returns 1, or 0 if memory runs out. */
 int text_room(Text *t);
 
 /* Append the n low bytes of w, least significant first; a word; an integer >= 0. */

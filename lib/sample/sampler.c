@@ -45,7 +45,7 @@ typedef struct Place {
 	double w[2];
 } Place;
 
-/* The places of the points (x,y). */
+/* The places of n points (x,y), to be freed; NULL without memory. */
 static Place *
 find_places(const Sampler *s, int n, const double *x, const double *y)
 {

@@ -1,4 +1,4 @@
-/* delaunay.cc - CGAL's Delaunay triangulation behind arrays. */
+/* delaunay.cc - CGAL's Delaunay triangulation, for plain arrays. */
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
