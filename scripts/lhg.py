@@ -81,7 +81,7 @@ def spell(T):
 
 
 def check(grid):
-    """The limits of section 2 that the spelling of a line does not keep."""
+    """The limits of section 2 that the syntax of a line does not enforce."""
     if not (2 <= grid.nu <= MAXN and 2 <= grid.nv <= MAXN):
         raise Error("size is not 2 to %d nodes each way" % MAXN)
     if not (grid.T > 0 and math.isfinite(grid.T)):
@@ -119,7 +119,7 @@ class Order:
 # ---- read ---------------------------------------------------------------------------
 
 def take(file, n, what):
-    """n bytes, in steps, so that memory is spent on bytes that are there only."""
+    """Reads n bytes in blocks, so that memory is allocated only for bytes that exist."""
     out = bytearray()
     while len(out) < n:
         more = file.read(min(n - len(out), 1 << 20))
@@ -145,7 +145,7 @@ def read_magic(file, empty):
 
 
 def read_head(file):
-    """The bytes of a header, its CRC checked, and the CRC; line 1 is taken already."""
+    """The bytes of a header after line 1, CRC checked, and the CRC."""
     head, line = bytearray(MAGIC), b""
     while not line.startswith(b"end"):
         line = file.readline(MAXHEAD - len(head))

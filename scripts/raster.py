@@ -45,13 +45,13 @@ class Raster:
         self.bary[pixel[keep]] = bary[keep]
 
     def mix(self, value):
-        """A value of the vertices, interpolated at the pixels that are hit."""
+        """A value given at the vertices, interpolated at the pixels that are hit."""
         corners = value[self.faces[self.tri[self.hit]]]
         weight = self.bary[self.hit]
         return np.einsum('pk,pk...->p...', weight, corners)
 
     def edge_distance(self, xyz):
-        """Pixels from a hit pixel to the nearest edge of its triangle."""
+        """Distance in pixels from a hit pixel to the nearest edge of its triangle."""
         t = self.tri[self.hit]
         p = xyz[self.faces[t]]
         sides = [np.linalg.norm((p[:, (k + 2) % 3] - p[:, (k + 1) % 3])[:, :2], axis=1) for k in range(3)]
@@ -75,8 +75,8 @@ def shrink(image, samples):
 
 
 def palette(colours, n):
-    """At most n colours for an array of them [m][3], and the number of its own for each: median cut."""
-    white = (colours == 255).all(1)              # the paper stays white
+    """A palette of at most n colours for the colours [m][3], and for each of these its index in the palette: median cut."""
+    white = (colours == 255).all(1)              # white, the background, is kept exactly
     boxes = [np.flatnonzero(b) for b in (white, ~white) if b.any()]
     while len(boxes) < n:
         widths = [np.ptp(colours[b].astype(int), axis=0).max()*len(b)**0.5 for b in boxes]
@@ -93,7 +93,7 @@ def palette(colours, n):
 
 
 def png(path, image, colours=0):
-    """image, [h][w][3] in 0..1, to path; where colours is not 0, with a palette of at most so many, up to 256."""
+    """Writes image, [h][w][3] in 0..1, to path; if colours is not 0, with a palette of at most that many, up to 256."""
     pixels = np.round(255*np.clip(image, 0, 1)).astype(np.uint8)
     h, w = pixels.shape[:2]
     table = b''

@@ -30,7 +30,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import lhg
 import raster
 
-SAMPLES = 2                                     # per pixel and direction
+SAMPLES = 2                                     # samples per pixel, in each direction
 BAR = 14                                        # height of the bar, pixels
 CLAY = np.array([0.93, 0.90, 0.85])
 HEAT = ['440154', '472d7b', '3b528b', '2c728e', '21918c', '28ae80', '5ec962', 'addc30', 'fde725']
@@ -71,7 +71,7 @@ def load_obj(path):
 
 
 def of_grid(g):
-    """Each cell parted by its shorter diagonal, as grid2mesh does."""
+    """Splits each cell along its shorter diagonal, as grid2mesh does."""
     xyz = np.stack([g[k].ravel() for k in 'xyz'], 1)
     p = np.arange(g.nu*g.nv).reshape(g.nv, g.nu)
     a, b, c, d = (q.ravel() for q in (p[:-1, :-1], p[:-1, 1:], p[1:, 1:], p[1:, :-1]))
@@ -96,7 +96,7 @@ def axes(towards, up):
 
 
 class Paint:
-    """Values to colours: white in the middle where both signs are there."""
+    """Values to colours; white in the middle if both signs occur."""
 
     def __init__(self, spec, log, top):
         path, name = spec.rsplit(':', 1)
@@ -127,7 +127,7 @@ class Paint:
 
 
 def circles(uv, n):
-    """1 on rings about the middles of n squares across the width, else 0."""
+    """1 on circles about the centres of n squares across the width, else 0."""
     r = np.linalg.norm((uv*n) % 1 - 0.5, axis=1)
     return ((r > 0.27) & (r < 0.40)).astype(float)
 
@@ -163,7 +163,7 @@ def draw(surface, xyz, number, o):
 
 
 def place(surface, turn, o):
-    """Positions as the eye sees them, about the middle of their box."""
+    """Positions in the eye's coordinates, from the centre of their bounding box."""
     if o.chart:
         xyz = np.concatenate([surface.uv, np.zeros((len(surface.uv), 1))], 1)
     else:

@@ -1,8 +1,9 @@
-# arrows.bats - scripts/arrows and scripts/untracked find what they are for.
+# arrows.bats - scripts/arrows and scripts/untracked find what they look for.
 
 load helper
 
-# A tree of two wings, b may use a; compiled once, and copied with its times for each test.
+# A tree of two wings, of which b may use a; compiled once, and copied for each test with its time
+# stamps.
 setup_file() (
 	cd "$BATS_FILE_TMPDIR"
 	mkdir -p lib/a lib/b format cmd/shared cmd/p build/lib/a build/lib/b
@@ -50,14 +51,14 @@ build() {
 	[[ $output = *"a circle: lib/a/one.c lib/a/other.c"* ]]
 }
 
-@test "a part of one program is not for another" {
+@test "a program may not use the folder of another" {
 	echo 'int part(void); int part(void) { return 0; }' >cmd/p/part.c
 	echo 'int part(void); int main(void) { return part(); }' >cmd/q.c
 	run -1 build
 	[[ $output = *"cmd/q.c uses cmd/p/part.c"* ]]
 }
 
-@test "a file that a test left, and a stray one that is tracked, are found" {
+@test "a file left by a test, and a tracked file with an odd name, are found" {
 	git init -q .
 	printf 'all:\n' >Makefile
 	git add Makefile lib

@@ -16,11 +16,11 @@ typedef struct Charted {
 	Mesh           m;
 	double        *u, *v;
 	Jet           *jet;
-	int            low, limited;    /* vertices in these states (gradient.h) */
+	int            low, limited;    /* with vertices in these states (gradient.h) */
 	Clough         c;
 } Charted;
 
-/* phi and its derivatives, to compare with. */
+/* phi and its exact derivatives. */
 typedef void Surface(double u, double v, double phi[3], Jet *jet);
 
 static inline double
@@ -46,7 +46,7 @@ charted_of(Mesh m, const double *uv)
 	return s;
 }
 
-/* [0,1.5] x [0,1], n vertices or so: evenly spread, or at random (with slivers). */
+/* [0,1.5] x [0,1] with about n vertices: evenly spread, or random (with slivers). */
 static inline Charted
 charted_even(int n)
 {
@@ -143,7 +143,7 @@ charted_longest(const Mesh *m, int t)
 
 #define CHARTED_SIZE 1000
 
-/* x turned by 1 radian about (1,2,2)/3, enlarged, and if it is a place moved. */
+/* x rotated by 1 radian about (1,2,2)/3 and enlarged; a position is also moved. */
 static inline void
 charted_move(double x[3], int place)
 {
@@ -179,7 +179,7 @@ wavy(double u, double v, double phi[3], Jet *j)
 		{ -3*s/5, -2*e, -c }, { -s/5, 4*e, -c/3 } };
 }
 
-/* Rubbish: triangles flat, turned over, tiny or all in one point in (u,v), positions a
+/* Degenerate input: triangles flat, flipped, tiny or collapsed to a point in (u,v); positions are
  * noise of sizes from 1e-4 to 1. */
 static inline Charted
 charted_rubbish(uint64_t seed)

@@ -1,4 +1,4 @@
-/* charts.h - charts with joined sides, which no program makes yet. */
+/* charts.h - charts with joined sides, for tests; no program makes them yet. */
 #ifndef CHARTS_H
 #define CHARTS_H
 

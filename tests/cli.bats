@@ -91,7 +91,7 @@ setup_file() {
 	try 2 '.'                           /dev/null mkmesh nosuchkind
 }
 
-@test "a missing file, a directory, empty input and another kind of input exit 1" {
+@test "a missing file, a directory, empty input and input of another kind exit 1" {
 	local c
 	for c in mesh2rect grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo; do
 		try 1 'nosuch: No such file'             /dev/null $c "$tmp/nosuch"
@@ -154,7 +154,7 @@ setup_file() {
 	try 1 'a boundary of three vertices has no four corners' "$tmp/one.obj" mesh2rect -n 8
 }
 
-@test "corners are the file's numbers, in options and in the metadata" {
+@test "vertex numbers of corners are those of the file, in options and in the metadata" {
 	{ echo "v 9 9 9"; awk 'NR == 2 { n = $1 } NR > 2 && NR <= n + 2 { print "v", $1, $2, $3 }
 		NR > n + 2 && NR > 2 { print "f", $2 + 2, $3 + 2, $4 + 2 }' "$tmp/cap.off"; } >"$tmp/shifted.obj"
 	mesh2rect -q -n 8 -c 1,2,3,4 "$tmp/shifted.obj" | lhinfo | grep -E 'corners +1,2,3,4'
@@ -169,7 +169,7 @@ setup_file() {
 	grep -q 'stdout is a terminal' "$tmp/seen"
 }
 
-@test "-q is silent where a note would stand, -v says more" {
+@test "-q suppresses notes, -v says more" {
 	{ sed -n '1p' "$tmp/cap.off"; sed -n '2p' "$tmp/cap.off" | awk '{ print $1 + 1, $2, $3 }'
 	  awk 'NR == 2 { n = $1 } NR > 2 && NR <= n + 2' "$tmp/cap.off"; echo 9 9 9
 	  awk 'NR == 2 { n = $1 } NR > n + 2' "$tmp/cap.off"; } >"$tmp/extra.off"
@@ -179,12 +179,12 @@ setup_file() {
 	try 0 'Beltrami' "$tmp/phi" grid2lh -v
 }
 
-# setting NAME: its value in the OpenMP library of a command.
+# setting NAME: its value in OpenMP's run time of a command.
 setting() {
 	OMP_DISPLAY_ENV=verbose lh2grid --version 2>&1 | sed -n "s/^ *$1 = '\(.*\)'/\1/p"
 }
 
-@test "threads that wait soon sleep, unless the environment says otherwise" {
+@test "waiting threads soon sleep, unless the environment says otherwise" {
 	unset GOMP_SPINCOUNT
 	[ "$(setting GOMP_SPINCOUNT)" = 3000 ]
 	[ "$(OMP_WAIT_POLICY=active setting GOMP_SPINCOUNT)" != 3000 ]
@@ -205,7 +205,7 @@ setting() {
 	run ! grep -E 'GOMP|OPENBLAS|TUNABLES' "$tmp/environ"
 }
 
-@test "any number of threads, and too little memory for those of BLAS" {
+@test "any number of threads works, also with too little memory for those of BLAS" {
 	OMP_NUM_THREADS=100000 grid2lh "$tmp/phi" >"$tmp/many"
 	OMP_NUM_THREADS=1 grid2lh "$tmp/phi" | cmp - "$tmp/many"
 	OMP_NUM_THREADS=100000 lh2grid "$tmp/many" >/dev/null
@@ -214,7 +214,7 @@ setting() {
 	[ "${PIPESTATUS[0]}" = 0 ]
 }
 
-@test "mkmesh: kinds are listed, parameters go by name" {
+@test "mkmesh lists its kinds and takes parameters by name" {
 	[ "$(mkmesh --list | grep -cx -e cap -e torus -e moebius)" = 3 ]
 	try 2 'R: need NAME=VALUE'              /dev/null mkmesh -n 60 cap R
 	try 2 'legs: no parameter of the kind cap' /dev/null mkmesh -n 60 cap legs=4
@@ -222,7 +222,7 @@ setting() {
 	[ ! -e "$tmp/x.txt" ]
 }
 
-@test "mesh2rect --max-vertices bounds the splitting; --allow-flips changes no map without one" {
+@test "mesh2rect --max-vertices bounds the splitting; --allow-flips changes no map that has no flips" {
 	mkmesh -n 300 cap -o "$tmp/flips.off"
 	mesh2rect -q -n 8 --max-vertices=400 "$tmp/flips.off" -o "$tmp/few"
 	[ "$(grep -a '^meta solved' "$tmp/few" | cut -d' ' -f3)" -le 500 ]
@@ -232,7 +232,7 @@ setting() {
 	[ "$(grep -a ^meta "$tmp/a")" = "$(grep -a ^meta "$tmp/b")" ]
 }
 
-@test "lhinfo --json: quotes, backslashes and bytes of no alphabet in a datum are still JSON" {
+@test "lhinfo --json escapes quotes, backslashes and bytes that are not UTF-8 in metadata" {
 	/usr/bin/python3 - "$tmp/lh.odd" <<-'END'
 		import sys
 		sys.path.insert(0, 'scripts')
@@ -250,7 +250,7 @@ setting() {
 	END
 }
 
-@test "the history is text that a shell runs again: quotes, controls, dashes, the version" {
+@test "the history is text that a shell can run again: quotes, controls, dashes, the version" {
 	local odd shell
 	mkdir "$tmp/odd"
 	cd "$tmp/odd"
@@ -268,7 +268,7 @@ setting() {
 	done
 	mesh2rect -q -n 8 "it's.off" | sed -n 's/^history //p' >step
 	echo "mesh2rect --cells=8 'it'\\''s.off'  # lhgrid $(mesh2rect --version | cut -d' ' -f3)" | cmp - step
-	# a step too long ends after a word
+	# a step that is too long is cut after a word
 	lhinterp -q -t "0$(printf ',0.%0500d' $(seq 9))" "$tmp/lh" "$tmp/lh" | sed -n '/^history lhinterp/{p;q}' >step
 	grep -q '^history lhinterp ...  # lhgrid [0-9.]*$' step
 }
@@ -300,7 +300,7 @@ setting() {
 	[ "$(wc -c <"$tmp/steps")" -le 16384 ]
 	[ "$(wc -c <"$tmp/steps")" -gt 14000 ]
 	[ "$(grep -c 'earlier steps' "$tmp/steps")" = 1 ]
-	# 2 steps of the grid, and 3 more with each mean: none is lost from the count
+	# 2 steps of the grid, and 3 more with each mean: the count includes all of them
 	head -1 "$tmp/steps" | grep -qE '^# earlier steps: [0-9]+, CRC-32 [0-9a-f]{8}$'
 	[ $(($(head -1 "$tmp/steps" | tr -dc '0-9 ,' | cut -d, -f1) + $(wc -l <"$tmp/steps") - 1)) = $((2 + 149*3)) ]
 	tail -1 "$tmp/steps" | grep -q '^lhinterp --at=0.5 '

@@ -1,4 +1,4 @@
-/* cmock.h - cmocka with what it wants included first. */
+/* cmock.h - cmocka and the headers that it needs before it. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

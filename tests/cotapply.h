@@ -1,4 +1,4 @@
-/* cotapply.h - y = C x with the cotangent matrix, triangle by triangle, to compare with. */
+/* cotapply.h - reference y = C x with the cotangent matrix, triangle by triangle. */
 #ifndef COTAPPLY_H
 #define COTAPPLY_H
 

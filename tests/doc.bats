@@ -1,14 +1,14 @@
-# doc.bats - what the pages and comments cite is there (scripts/citations).
+# doc.bats - everything that the pages and comments cite exists (scripts/citations).
 
 load helper
 
-@test "every file, function, section and equation that is cited is there" {
+@test "every file, function, section and equation that is cited exists" {
 	run -0 scripts/citations
 	[ -z "$output" ]
 }
 
-# The faults are spelled in two parts, as this file is checked too.
-@test "a citation of what is not there is found" {
+# The false citations are spelled in two parts, since this file is checked too.
+@test "a citation of something that does not exist is found" {
 	local copy=$tmp/copy page=doc/mathematics d=DESI
 	mkdir "$copy"
 	cp -r lib cmd format tests scripts doc examples ./*.md "$copy"

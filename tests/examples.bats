@@ -12,7 +12,7 @@ load helper
 	[ -s "$tmp/demo/frame-10.off" ]
 }
 
-@test "make install puts every command where it is told" {
+@test "make install puts every command where it is told to" {
 	make -s install PREFIX=/usr DESTDIR="$tmp/root"
 	for c in $commands; do
 		[ -x "$tmp/root/usr/bin/$c" ]
@@ -21,7 +21,7 @@ load helper
 	[ -z "$(ls "$tmp/root/usr/bin")" ]
 }
 
-@test "the make rules of the README smooth a folder of meshes, and only what is new" {
+@test "the make rules of the README smooth a folder of meshes, and redo only what changed" {
 	mkdir -p "$tmp/folder/scans"
 	sed -n '/^    MESHES :=/,/^Without/s/^    //p' README.md >"$tmp/folder/Makefile"
 	for kind in cap torus; do

@@ -155,7 +155,7 @@ __wrap__Znam(size_t n)
 	return __real__Znam(n);
 }
 
-/* ---- streams and names, of libc's memory ---- */
+/* ---- stdio streams and strings, whose memory libc allocates ---- */
 
 FILE *__real_fopencookie(void *cookie, const char *mode, cookie_io_functions_t io);
 FILE *__wrap_fopencookie(void *cookie, const char *mode, cookie_io_functions_t io);
@@ -196,7 +196,7 @@ CALL(int, rename, (const char *from, const char *to), (from, to))
 CALL(int, mkstemp, (char *name), (name))
 CALL(int, fchmod, (int fd, mode_t mode), (fd, mode))
 
-/* As the kernel does it: closed, whatever it says. */
+/* As in the kernel, the descriptor is closed even if close reports an error. */
 int __real_close(int fd);
 int __wrap_close(int fd);
 int

@@ -2,10 +2,10 @@
 #ifndef FAULT_H
 #define FAULT_H
 
-/* Calls number from .. to of call, counted from now and from 1, fail with that errno. */
+/* From now on, counted from 1, calls number from .. to of `call` fail with that errno. */
 void fault_set(const char *call, long from, long to, int error);
 
-long fault_seen(void);          /* calls since then */
-long fault_live(void);          /* blocks of C's and FFTW's memory that are not freed */
+long fault_seen(void);          /* calls since fault_set */
+long fault_live(void);          /* blocks allocated by C and FFTW and not yet freed */
 
 #endif

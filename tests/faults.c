@@ -95,7 +95,7 @@ empty(FILE *f)
 	return getc(f) == EOF;
 }
 
-/* Calls that the command makes, as the faultless run counted them. */
+/* Number of calls that the command makes, counted in a run without faults. */
 static long
 count(const char *name)
 {

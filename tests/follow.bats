@@ -9,7 +9,7 @@ setup_file() {
 	lhinterp -q --align -n 12 "$tmp/spiral" "$tmp/moebius" -o "$tmp/morph"
 }
 
-# crossing FILE: how many of its frames have faces that cross.
+# crossing FILE: the number of frames with crossing faces.
 crossing() {
 	lhdiff --no-hausdorff "$1" "$1" | awk -F '\t' '
 		NR == 1 { for (i = 1; i <= NF; i++) if ($i == "self_intersections_a") c = i; next }
@@ -23,7 +23,7 @@ crossing() {
 	[ "$(crossing "$tmp/held")" != "0 of 12" ]
 }
 
-@test "where nothing moves --follow changes nothing; without a start it has one after the first frame" {
+@test "in a morph that stands still --follow changes nothing; without a start it has one after the first frame" {
 	lhinterp -q -n 3 "$tmp/spiral" "$tmp/spiral" -o "$tmp/same"
 	lh2grid "$tmp/same" -o "$tmp/a"
 	lh2grid --follow "$tmp/same" -o "$tmp/b"
@@ -35,7 +35,7 @@ crossing() {
 	[ "$(grep -c 'vector Poisson' "$tmp/said")" = 3 ]
 }
 
-@test "--follow says what it cannot" {
+@test "options that --follow excludes are refused" {
 	try 2 'follow and --no-start' "$tmp/spiral" lh2grid --follow --no-start
 	try 2 'follow is for the surface method' "$tmp/spiral" lh2grid --follow --method=frame
 }

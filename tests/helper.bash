@@ -18,7 +18,7 @@ try() {
 	shift 3
 	if [ "$want" = 0 ]; then
 		"$@" <"$input" >"$tmp/out" 2>"$tmp/err" || code=$?
-	else    # a process that dies by exit() owes nobody its memory
+	else    # a command that dies by exit() does not free its memory
 		ASAN_OPTIONS=detect_leaks=0 "$@" <"$input" >"$tmp/out" 2>"$tmp/err" || code=$?
 		[ ! -s "$tmp/out" ] || complain "$*: wrote to stdout"
 	fi
@@ -37,7 +37,7 @@ complain() {
 	return 1
 }
 
-# error_of A B NAME: a number of lhdiff, over sqrt(area).
+# error_of A B NAME: a number that lhdiff prints, over sqrt(area).
 error_of() {
 	lhdiff --no-hausdorff --no-self-intersections "$1" "$2" | awk -v n="$3" '$1 == n { print $2 }'
 }

@@ -1,4 +1,4 @@
-# Hostile input: a correct result or one line with the reason, and no hang.
+# Hostile input: a correct result or one line with the reason, and always an end.
 
 load helper
 
@@ -10,12 +10,12 @@ setup_file() {
 	export OMP_NUM_THREADS=1
 }
 
-# soon COMMAND...: within a minute, under its own name.
+# soon COMMAND...: stops it after a minute.
 soon() {
 	timeout 60 "$@"
 }
 
-# told PATTERN FILE COMMAND...: exit 1 and one line that matches.
+# told PATTERN FILE COMMAND...: it exits 1 with one line that matches.
 told() {
 	local pattern=$1 code=0
 	shift
@@ -30,7 +30,7 @@ hostile() {
 	/usr/bin/python3 tests/hostile.py "$@"
 }
 
-# mesh NAME VERTICES.. : FACES
+# mesh NAME VERTICES.. : FACES: writes an OFF file.
 mesh() {
 	/usr/bin/python3 - "$@" >"$tmp/$1" <<-'END'
 		import sys
@@ -46,7 +46,7 @@ scaled() {
 	awk -v s="$1" 'NR > 2 && NF == 3 { printf "%.17g %.17g %.17g\n", s*$1, s*$2, s*$3; next } { print }' "$tmp/cap.off"
 }
 
-@test "scale: 1e-59 to 1e59 gives the same surface, beyond 1e60 and below 1e-60 one line" {
+@test "scale: 1e-59 to 1e59 gives the same surface, above 1e60 and below 1e-60 one line" {
 	local s
 	for s in 1e-59 1e-30 1e30 1e59; do
 		scaled $s >"$tmp/s.off"
@@ -115,7 +115,7 @@ for c in 'xyz': g[c][:] *= $s"
 			try 0 '' /dev/null soon $c "$tmp/g"
 		done
 		below "$(soon lhdiff "$tmp/g" "$tmp/g" | awk '$1 == "hausdorff_rel" { print $2 }')" 1e-6
-		soon lh2grid "$tmp/g" -o "$tmp/back"            # nearly flat: lambda 1 and H 0 fit to 1 %
+		soon lh2grid "$tmp/g" -o "$tmp/back"            # nearly flat: lambda = 1 and H = 0 are right to 1 %
 		below "$(error_of "$tmp/g" "$tmp/back" max_rel)" 0.01
 		case $s in
 		*,*,3)  for c in --no-start --method=frame; do
@@ -132,8 +132,8 @@ for c in 'xyz': g[c][:] *= $s"
 	done
 }
 
-@test "grids that are no surface, lambda and H of no surface" {
-	# SOURCE; what is done to it; what the line says; the command
+@test "grids that are no surface, and lambda and H of no surface, are refused" {
+	# SOURCE; what is done to it; the message; the command
 	while IFS=';' read -r source code line command; do
 		[ -n "$source" ] || continue
 		hostile "$tmp/$source" "$tmp/bad" "$code"
@@ -177,7 +177,7 @@ for c in 'xyz': g[c][:] *= $s"
 	END
 }
 
-@test "a correct result from unusual but valid numbers" {
+@test "unusual but valid numbers give a correct result" {
 	# without a start the surface is the same; denormals are numbers; -0 is 0
 	hostile "$tmp/lh" "$tmp/odd" "
 g['H'][3, 3] = 5e-324
@@ -196,7 +196,7 @@ for c in 'xyz': del g.channels['start.' + c]"
 	told 'too large for STL' "$tmp/big" grid2mesh -o "$tmp/x.stl"
 }
 
-# endless COMMAND...: an endless input, yes at stdin, is refused in one line and soon.
+# endless COMMAND...: with endless input from yes, it soon exits with one line.
 endless() {
 	local code=0
 	yes "${words:-y}" | timeout 10 "$@" >"$tmp/out" 2>"$tmp/err" || code=${PIPESTATUS[1]}
@@ -216,7 +216,7 @@ for c, a in zip("xyz", (0.3, 0.7, -0.2)): g[c][:, 3:6] = a*(u/8 + 0.37*v/6)'
 	try 0 '' /dev/null grid2lh -q "$tmp/folded"
 }
 
-@test "an endless input that begins as no mesh is refused at once" {
+@test "an endless input that does not begin as a mesh is refused at once" {
 	local pattern='not an OFF, OBJ, PLY or STL file'
 	endless mesh2rect
 	endless lhdiff - "$tmp/cap.off"
@@ -228,7 +228,7 @@ for c, a in zip("xyz", (0.3, 0.7, -0.2)): g[c][:, 3:6] = a*(u/8 + 0.37*v/6)'
 	told "$pattern" /dev/zero lhdiff "$tmp/cap.off"
 }
 
-@test "an endless input that begins as a mesh ends at the bound" {
+@test "an endless input that begins as a mesh is refused at the size limit" {
 	case $BUILD in */*) skip "a sanitizer needs its own address space" ;; esac
 	local pattern='stdin: more than 102400000 bytes: the most that is read is half of the memory|no memory'
 	ulimit -v 200000

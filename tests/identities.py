@@ -125,7 +125,7 @@ def laplacian(f):
 
 
 def minus(f, *terms):
-    """The vector f without the terms (factor, vector)."""
+    """The vector f minus its components (factor, vector)."""
     return [f[k] - sum(a*x[k] for a, x in terms) for k in range(3)]
 
 

@@ -1,4 +1,5 @@
-# keyframes.bats - lh2grid --keyframes: frames between two others begin with what those found.
+# keyframes.bats - lh2grid --keyframes: frames between two key frames start from the detail of
+# both.
 
 load helper
 
@@ -11,25 +12,25 @@ setup_file() {
 	lh2grid -v --keyframes=3 "$tmp/morph" -o "$tmp/keys" 2>"$tmp/keys.said"
 }
 
-# solves FILE: of all frames, in what lh2grid -v said.
+# solves FILE: the Poisson solves of all frames that lh2grid -v reported in FILE.
 solves() {
 	awk '/vector Poisson/ { for (i = 2; i <= NF; i++) if ($i == "vector") s += $(i-1) } END { print s }' "$1"
 }
 
-# apart NAME: of lhdiff, for each frame.
+# apart NAME: column NAME of lhdiff's table of alone against keys, a line for each frame.
 apart() {
 	lhdiff --no-hausdorff --no-self-intersections "$tmp/alone" "$tmp/keys" | awk -F '\t' -v n="$1" '
 		NR == 1 { for (i = 1; i <= NF; i++) if ($i == n) c = i; next } { print $c }'
 }
 
-@test "all frames in their order, the keys the same as alone, those between near it, for fewer solves" {
+@test "all frames are in order, key frames the same as alone, the others near, for fewer solves" {
 	[ "$(lhinfo "$tmp/keys" | grep -o 'frame [0-9]* of 8' | tr '\n' ' ')" = "$(seq -f 'frame %g of 8' 1 8 | tr '\n' ' ')" ]
 	apart max_rel | awk '{ bad += (NR%3 == 1 || NR == 8) ? $1 != 0 : $1 == 0 || $1 > 0.01 } END { exit NR != 8 || bad }'
 	apart mean_rel | awk '$1 > 1e-3 { bad = 1 } END { exit bad }'
 	below "$(solves "$tmp/keys.said")" "$(awk "BEGIN { print 0.7*$(solves "$tmp/alone.said") }")"
 }
 
-@test "one frame, no more than the first key, frames of two sizes" {
+@test "one frame, a stream that ends before its second key, and frames of two sizes" {
 	lh2grid -k 4 "$tmp/a" | lh2grid_bytes >"$tmp/one"
 	lh2grid "$tmp/a" | lh2grid_bytes | cmp - "$tmp/one"
 	mesh2rect -q -n 24 <(mkmesh -n 500 cap) | grid2lh -o "$tmp/cap"
@@ -38,14 +39,14 @@ apart() {
 	cat "$tmp/cap" "$tmp/other" "$tmp/cap" | lh2grid | lh2grid_bytes | cmp - "$tmp/mixed"
 }
 
-# The numbers of a stream without its history.
+# The samples x y z of a stream, without history.
 lh2grid_bytes() {
 	/usr/bin/python3 -c 'import sys; sys.path.insert(0, "scripts"); import lhg
 for g in lhg.read(sys.stdin.buffer):
     for c in "xyz": sys.stdout.buffer.write(g[c].tobytes())'
 }
 
-@test "a frame that fails: one line, and a stream that the next stage refuses" {
+@test "if a frame fails there is one line, and a stream that the next stage refuses" {
 	lhfft -q -K 2 "$tmp/a" -o "$tmp/k"
 	lhinterp -q -n 4 "$tmp/a" "$tmp/k" >"$tmp/hard"
 	try 1 'no convergence in 1 steps' "$tmp/hard" lh2grid -k 2 --steps=1
@@ -53,7 +54,7 @@ for g in lhg.read(sys.stdin.buffer):
 	try 1 'stdin: .* ends' "$tmp/cut" lh2grid -k 3
 }
 
-@test "--keyframes says what it cannot" {
+@test "values and options that --keyframes excludes are refused" {
 	try 2 'keyframes' "$tmp/a" lh2grid --keyframes=1
 	try 2 'keyframes' "$tmp/a" lh2grid --keyframes=many
 	try 2 'keyframes and --follow exclude' "$tmp/a" lh2grid -k 3 --follow

@@ -1,5 +1,5 @@
-# Killed at any moment: FILE is absent, or old, or whole; and so is what a pipeline gives.
-# 200 times with SOAK set.
+# Commands killed at any moment: FILE is absent, old or complete, and so is the output of a
+# pipeline. 200 times with SOAK set.
 
 load helper
 
@@ -11,7 +11,8 @@ setup_file() {
 	lhinterp -n 300 "$tmp/lh" "$tmp/lh" -o "$tmp/whole"
 }
 
-# at_random FROM COMMAND...: kills COMMAND by -9 after a time of up to 1.2 times what it takes.
+# at_random FROM COMMAND...: kills COMMAND by -9 after a random time of up to 1.2 times its run
+# time.
 at_random() {
 	local pid
 	"$@" 2>/dev/null &
@@ -27,7 +28,7 @@ seconds() {
 	awk -v a="$began" -v b="$EPOCHREALTIME" 'BEGIN { print b - a }'
 }
 
-@test "kill -9 during -o FILE: FILE is absent or whole, an old FILE is kept" {
+@test "kill -9 during -o FILE: FILE is absent or complete, an old FILE is kept" {
 	local i=0 there=0 times=${SOAK:+200}
 	took=$(seconds lhinterp -n 300 "$tmp/lh" "$tmp/lh" -o "$tmp/x")
 	for i in $(seq "${times:-20}"); do

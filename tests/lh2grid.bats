@@ -8,7 +8,7 @@ setup_file() {
 	grid2lh "$tmp/phi" -o "$tmp/lh"
 }
 
-@test "grid2lh --residual: the surface itself comes back; --ideal leaves it out" {
+@test "grid2lh --residual gives the surface itself back; --ideal leaves the residual out" {
 	grid2lh --residual "$tmp/phi" -o "$tmp/all"
 	lh2grid "$tmp/all" -o "$tmp/psi"
 	below "$(error_of "$tmp/phi" "$tmp/psi" max_rel)" 1e-7
@@ -17,7 +17,7 @@ setup_file() {
 	[ "$(lhinfo "$tmp/psi" | grep -cE '(nu|tau)[12]')" = 0 ]
 }
 
-@test "the start enters nothing: without one the same surface, to the tolerance" {
+@test "the start does not change the result: without one, the same surface to the tolerance" {
 	lh2grid "$tmp/lh" -o "$tmp/a"
 	lh2grid --no-start "$tmp/lh" -o "$tmp/b"
 	grid2lh --no-lattice "$tmp/phi" | lh2grid -o "$tmp/c"
@@ -33,14 +33,14 @@ setup_file() {
 	below "$(error_of "$tmp/phi" "$tmp/a" mean_rel)" "$(error_of "$tmp/phi" "$tmp/b" mean_rel)"
 }
 
-@test "every frame of a stream of scales, and bending falls from scale to scale" {
+@test "every frame of a stream of scales is solved, and bending falls from scale to scale" {
 	lhfft -K 0,0.5,1,2,5 "$tmp/lh" | lh2grid | grid2lh -o "$tmp/scales"
 	/usr/bin/python3 scripts/bending.py "$tmp/scales" >"$tmp/bending"
 	[ "$(wc -l <"$tmp/bending")" = 5 ]
 	sort -rnc "$tmp/bending"
 }
 
-@test "lh2grid says what is wrong" {
+@test "errors of lh2grid say what is wrong" {
 	grid2lh "$tmp/phi" | lhfft -K 2 -o "$tmp/two"
 	try 1 'no convergence in 1 steps: energy [0-9.e+]*, change .*, the largest residual at node \([0-9]+,[0-9]+\)' \
 	    "$tmp/two" lh2grid --steps=1
@@ -49,12 +49,12 @@ setup_file() {
 	try 2 'steps'     "$tmp/lh" lh2grid --steps=0
 }
 
-@test "lh2grid -v says the cost" {
+@test "lh2grid -v reports the cost" {
 	run lh2grid -v "$tmp/lh" -o "$tmp/a"
 	[[ $output =~ 'vector Poisson solves of 91 x 91 nodes' ]]
 }
 
-@test "a free boundary: near the held surface, without a band, at other scales" {
+@test "a free boundary: near the held surface, also without a band and at other scales" {
 	lh2grid "$tmp/lh" -o "$tmp/a"
 	lh2grid --boundary=held "$tmp/lh" -o "$tmp/c"
 	below "$(error_of "$tmp/a" "$tmp/c" max_rel)" 1e-300

@@ -46,7 +46,7 @@ column() {
 	done
 }
 
-@test "stream against stream goes frame by frame, from files, pipes and sets of one" {
+@test "stream against stream is compared frame by frame, from files, pipes and sets of one" {
 	lhdiff "$tmp/moved" "$tmp/moved" >"$tmp/same"
 	[ "$(column "$tmp/same" max | xargs)" = "0 0 0 0" ]
 	cat "$tmp/cap" "$tmp/torus" "$tmp/cap" "$tmp/torus" >"$tmp/sets"

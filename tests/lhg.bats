@@ -1,5 +1,5 @@
-# The samples of tests/lhg in the commands and in lhg.py; the library reads them in
-# test_lhgcorpus.
+# The samples of tests/lhg, read by the commands and by lhg.py; test_lhgcorpus reads them with the
+# library.
 
 load helper
 
@@ -9,7 +9,7 @@ setup() {
 
 @test "every bad sample is refused with exit 1 and the line that names its defect" {
 	local name why f code err n=0
-	export ASAN_OPTIONS=detect_leaks=0      # a process that dies by exit() owes nobody its memory
+	export ASAN_OPTIONS=detect_leaks=0      # a command that dies by exit() does not free its memory
 	while IFS=$'\t' read -r name why; do
 		f=tests/lhg/bad/$name.lhg code=0
 		lhinfo "$f" >"$tmp/out" 2>"$tmp/err" || code=$?
@@ -21,7 +21,7 @@ setup() {
 	[ $n = "$(ls tests/lhg/bad | wc -l)" ]
 }
 
-@test "every good sample is read, and what the commands wrote goes on through the pipeline" {
+@test "every good sample is read, and samples that commands wrote go on through the pipeline" {
 	local f
 	for f in tests/lhg/good/*.lhg; do
 		lhinfo "$f" >"$tmp/out"

@@ -1,4 +1,4 @@
-/* lhgbytes.h - streams of .lhg as bytes, also such as the writer would not write. */
+/* lhgbytes.h - streams of .lhg as bytes, including ones that the writer refuses to write. */
 #ifndef LHGBYTES_H
 #define LHGBYTES_H
 
@@ -29,7 +29,7 @@ join(Bytes a, Bytes b)
 	return c;
 }
 
-/* The same, a and b being used up. */
+/* The bytes of a and then b; frees both. */
 TOOL Bytes
 glue(Bytes a, Bytes b)
 {
@@ -66,7 +66,7 @@ headlen(Bytes b)
 	return n + (size_t)((char *)memchr(b.p + n, '\n', b.n - n) - (b.p + n)) + 1;
 }
 
-/* A header of n bytes of lines and a right last line, `more` spaces longer than it ought. */
+/* A header of n bytes of lines and a valid last line, padded by `more` spaces too many. */
 TOOL Bytes
 headof(const char *lines, size_t n, size_t more)
 {
@@ -81,7 +81,7 @@ headof(const char *lines, size_t n, size_t more)
 	return b;
 }
 
-/* A whole grid with that header and one channel of n samples. */
+/* A complete grid with that header and one channel of n samples. */
 TOOL Bytes
 gridof(Bytes head, const double *f, size_t n)
 {

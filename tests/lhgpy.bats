@@ -10,7 +10,7 @@ setup() {
 	export OPENBLAS_NUM_THREADS=1   # numpy starts in half the time
 }
 
-# Python with the module, numpy and the sample's path as argument.
+# py CODE: runs Python with the modules and the path of the sample as argument.
 py() {
 	/usr/bin/python3 -c "import io, sys, lhg, numpy as np
 $1" "$dir/c.lhg"
@@ -72,7 +72,7 @@ assert out.getvalue() == 2*open(sys.argv[1], "rb").read()
 	run ! $sample check <"$dir/two"
 }
 
-@test "Python and C spell heights alike" {
+@test "Python and C write heights with the same digits" {
 	py '
 g = next(lhg.read(sys.argv[1]))
 g.frames = 1
@@ -81,7 +81,7 @@ for g.T in 1, 0.7, 1e-5, 0.1, 3e20:
 '
 	for T in 1 0.7 1e-05 0.1 3e+20; do
 		run ! $sample check <"$dir/c.lhg.$T"
-		[[ "$output" == *"is not the sample's" ]]       # so the C reader took it
+		[[ "$output" == *"is not the sample's" ]]       # so the C reader accepted it
 	done
 }
 
@@ -112,7 +112,7 @@ for n in range(len(s)):
 '
 }
 
-@test "Python refuses frames dropped, doubled, swapped, and other bytes behind" {
+@test "Python refuses frames dropped, doubled or swapped, and other bytes after the end" {
 	py '
 s = open(sys.argv[1], "rb").read()
 a, b = s[:len(s)//2], s[len(s)//2:]

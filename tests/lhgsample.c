@@ -30,7 +30,7 @@ make(Lhg *g, int frame)
 	double *f;
 	int c;
 
-	lhg_init(g, NU, NV, 0.1 + 0.2);         /* takes 17 digits */
+	lhg_init(g, NU, NV, 0.1 + 0.2);         /* needs 17 digits */
 	g->frame = frame;
 	g->frames = FRAMES;
 	for (c = 0; c < CHANNELS; c++) {
@@ -59,7 +59,7 @@ same(const Lhg *a, const Lhg *b)
 	return 1;
 }
 
-/* Write (check == 0) or compare the frame of g, which is released. */
+/* Writes (check == 0) or compares the frame of g, and frees g. */
 static int
 frame(LhgStream *s, Lhg *g, int check)
 {

@@ -27,7 +27,7 @@ def ring(g):
 $1" "${@:2}"
 }
 
-# equal A B: last grids with equal channels, bit for bit.
+# equal A B: the last grids of A and B have equal channels, bit for bit.
 equal() {
 	python 'a, b = (read(f)[-1] for f in sys.argv[1:3])
 assert a.T == b.T and list(a.channels) == list(b.channels)
@@ -43,13 +43,13 @@ for c in a.channels: assert a[c].tobytes() == b[c].tobytes(), c' "$1" "$2"
 	done
 	lhinterp -q -t 0 --align --landmarks="$tmp/marks" "$tmp/a" "$tmp/b" -o "$tmp/zero"
 	equal "$tmp/a" "$tmp/zero"
-	# the sign of zero, too
+	# including the sign of zero
 	python 'g = read(sys.argv[1])[0]; g["H"][...] = -0.0; lhg.write(open(sys.argv[2], "wb"), [g])' "$tmp/b" "$tmp/minus"
 	lhinterp -q -t 1 "$tmp/a" "$tmp/minus" -o "$tmp/one"
 	equal "$tmp/minus" "$tmp/one"
 }
 
-@test "-t takes a list, in its order; -n is one; --ease is t^2 (3 - 2t)" {
+@test "-t takes a list and keeps its order; -n is the list of equal steps; --ease is t^2 (3 - 2t)" {
 	lhinterp -q -t 0.75,0,0.25 "$tmp/a" "$tmp/b" -o "$tmp/list"
 	python 'g = read(sys.argv[1])
 assert [(x.meta["t"], x.frame, x.frames) for x in g] == [("0.75", 1, 3), ("0", 2, 3), ("0.25", 3, 3)]' "$tmp/list"
@@ -68,16 +68,16 @@ assert np.allclose(got, [t*t*(3 - 2*t) for t in (0, 0.25, 0.5, 0.75, 1)], rtol=0
 	try 2 'at=nan: need a number in \[0,1\]' /dev/null lhinterp -t nan a b
 }
 
-@test "landmarks at the corners where sides have equal shares: the border moves as it says" {
-	# between A and A every pair of equal landmarks changes nothing
+@test "landmarks at the corners, on sides of equal arc length, move the border by equal places" {
+	# between A and A, pairs of equal landmarks change nothing
 	printf '%s\n' '0.2 0.2' '1.7 1.7' '3 3' >"$tmp/same"
 	lhinterp -q -t 0.5 --landmarks="$tmp/same" "$tmp/a" "$tmp/a" -o "$tmp/half"
 	python 'a, h = (read(f)[0] for f in sys.argv[1:])
 for c in a.channels: assert abs(a[c] - h[c]).max() < 1e-9*abs(a[c]).max(), c' "$tmp/a" "$tmp/half"
 }
 
-@test "a pair of landmarks meets where it should, at every t; lambda and H stay" {
-	# all of these are nodes, on A, on B, and at t = 0.25 and 0.5 between
+@test "the two places of a landmark pair are joined at every t; lambda and H stay" {
+	# all of these are nodes, on A, on B, and at t = 0.25 and 0.5
 	printf '%s\n' '0.33333333333333333 0.66666666666666667' '1.2 1.4' '2.25 2.5833333333333333' '3.2 3' >"$tmp/nodes"
 	lhinterp -q -t 0.25,0.5 --landmarks="$tmp/nodes" "$tmp/a" "$tmp/b" -o "$tmp/marked"
 	lhinterp -q -t 0.25,0.5 "$tmp/a" "$tmp/b" -o "$tmp/plain"
@@ -94,7 +94,7 @@ for m, p in zip(read(sys.argv[3]), read(sys.argv[4])):
         assert abs(at(m, (1 - t)*i + t*j) - want).max() < 1e-9*size, (t, i)
         assert abs(at(p, (1 - t)*i + t*j) - want).max() > 1e-3*size
     for c in "lambda", "H": assert m[c].tobytes() == p[c].tobytes()
-    # the rings within and the lattice: the displacement of the border as a Coons patch
+    # the inner rings and the lattice move by the Coons patch of the border's displacement
     u, v = np.meshgrid(np.arange(nu)/(nu - 1), np.arange(nv)/(nv - 1))
     for c in "xyz":
         d = whole(m, "band." + c) - whole(p, "band." + c)
@@ -110,7 +110,7 @@ for m, p in zip(read(sys.argv[3]), read(sys.argv[4])):
 	lh2grid --no-start "$tmp/marked" >/dev/null
 }
 
-@test "landmarks as points are those of the nearest places; equal bytes for equal numbers" {
+@test "landmarks as points become the nearest places; equal numbers give equal bytes" {
 	python 'a, b = (ring(read(f)[0]) for f in sys.argv[1:])
 for k in (3, 20, 40, 70): print("%.17g %.17g %.17g" % tuple(a[k]), "%.17g,%.17g,%.17g" % tuple(b[k + 2]))' "$tmp/a" "$tmp/b" >"$tmp/points"
 	python 'g = read(sys.argv[1])[0]
@@ -126,7 +126,7 @@ for c in a.channels: assert abs(a[c] - b[c]).max() < 1e-9*abs(a[c]).max(), c' "$
 	try 0 'far: line 1: the point is .* from the boundary of A' /dev/null lhinterp -t 0.5 --landmarks="$tmp/far" "$tmp/a" "$tmp/b"
 }
 
-@test "landmark files that are wrong are refused with the line" {
+@test "wrong landmark files are refused with the number of the line" {
 	bad() {
 		printf "$1" >"$tmp/bad"
 		try 1 "bad: $2" /dev/null lhinterp -t 0.5 --landmarks="$tmp/bad" "$tmp/a" "$tmp/b"
@@ -156,7 +156,7 @@ lhg.write(open(sys.argv[2], "wb"), [g])' "$tmp/a" "$tmp/bandless"
 	try 1 'bandless: no channel band.x' /dev/null lhinterp -t 0.5 --align "$tmp/bandless" "$tmp/bandless"
 }
 
-@test "--align brings a moved copy back, positions and nothing else; without it B stays" {
+@test "--align moves a moved copy back, only in its positions; without it B stays" {
 	python 'g = read(sys.argv[1])[0]
 R = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0], [0.48, 0.64, 0.6]])
 for n in "band.", "start.":
@@ -182,7 +182,7 @@ det = lambda x: np.linalg.det(np.stack([x[10] - x[0], x[30] - x[0], x[50] - x[0]
 assert det(a)*det(m) < 0' "$tmp/a" "$tmp/still"
 }
 
-@test "another quarter turn that would fit better is noted, exit 0; one that fits is not" {
+@test "a quarter turn that would fit better is noted, exit 0; none is noted if B fits" {
 	c=$(lhinfo "$tmp/a.phi" | awk '$2 == "corners" { print $3 }')
 	turn() { echo "$c" | awk -F , -v k="$1" '{ for (i = 0; i < 4; i++) printf "%s%s", $((i + k)%4 + 1), i < 3 ? "," : "\n" }'; }
 	for k in 1 2 3; do
@@ -203,7 +203,7 @@ assert det(a)*det(m) < 0' "$tmp/a" "$tmp/still"
 	below "$(peak 40)" "$(($(peak 2) + 2000))"
 }
 
-@test "a morph of two real faces, corners by --like, aligned: farther with every frame" {
+@test "a morph of two real faces, corners by --like, aligned: the distance rises with every frame" {
 	[ -d "$meshes/good" ] || skip "no meshes"
 	mesh2rect -q -n 48 "$meshes/good/face_neutral_1875.obj" -o "$tmp/n.phi"
 	mesh2rect -q -n 48 --like="$tmp/n.phi" "$meshes/good/face_smile_1656.obj" | grid2lh -o "$tmp/s"
@@ -214,7 +214,7 @@ assert det(a)*det(m) < 0' "$tmp/a" "$tmp/still"
 	sort -gc "$tmp/means"
 }
 
-@test "surfaces far apart in size are noted; --scale is as if the mesh had been scaled" {
+@test "very different sizes are noted; --scale gives the same as a scaled mesh" {
 	mkmesh -n 300 face -o "$tmp/one.off"
 	awk 'NR > 2 && NF == 3 { printf "%.17g %.17g %.17g\n", 64*$1, 64*$2, 64*$3; next } { print }' "$tmp/one.off" >"$tmp/large.off"
 	mkmesh -n 250 face nose=0.5 | mesh2rect -q -n 16 | grid2lh -o "$tmp/other.lhg"

@@ -1,4 +1,4 @@
-# like.bats - mesh2rect --like: corners that correspond.
+# like.bats - mesh2rect --like: corners that correspond to those of another grid.
 
 load helper
 
@@ -13,7 +13,8 @@ corners() {
 	lhinfo "$1" | awk '$1 == "meta" && $2 == "corners" { print $3 }'
 }
 
-# turned FROM TO: a mesh moved in space, in other units, its vertices numbered from the other end.
+# turned FROM TO: writes the mesh moved in space, in other units, with its vertices in reverse
+# order.
 turned() {
 	awk 'NR == 2 { n = $1 } NR <= 2 { print; next }
 		NR <= n + 2 { v[NR - 3] = 50*(0.36*$1 + 0.48*$2 - 0.8*$3) + 7 " " 50*(-0.8*$1 + 0.6*$2) " " 50*(0.48*$1 + 0.64*$2 + 0.6*$3)
@@ -21,7 +22,7 @@ turned() {
 		{ print 3, n - 1 - $2, n - 1 - $3, n - 1 - $4 }' "$1" >"$2"
 }
 
-@test "the mesh itself, moved, in other units and numbered anew: the same corners" {
+@test "the same mesh moved, in other units and renumbered gets the same corners" {
 	turned "$tmp/face.off" "$tmp/turned.off"
 	n=$(awk 'NR == 2 { print $1 }' "$tmp/face.off")
 	mesh2rect -q -n 32 --like="$tmp/a" "$tmp/turned.off" -o "$tmp/b"
@@ -42,8 +43,8 @@ turned() {
 	cmp "$tmp/1.off" "$tmp/2.off"
 }
 
-@test "--like-reversed turns the normal where that is nearer, and only there" {
-	# a boundary that is not like its mirror image in any pose: corners of an L shape in space
+@test "--like-reversed reverses the normal where that fits better, and only there" {
+	# a boundary that differs from its mirror image in any pose: an L shape bent in space
 	mkmesh -n 600 lshape | awk 'NR == 2 { n = $1 } NR > 2 && NR <= n + 2 { $3 += 0.5*$1*$2 + 0.4*$1*$1*$1 } { print }' >"$tmp/l.off"
 	awk 'NR == 2 { n = $1 } NR > n + 2 && NR > 2 { print 3, $2, $4, $3; next } { print }' "$tmp/l.off" >"$tmp/inside-out.off"
 	mesh2rect -q -n 32 "$tmp/l.off" -o "$tmp/l"
@@ -55,7 +56,7 @@ turned() {
 	below "$(lhinfo "$tmp/plain" | awk '$2 == "like" { print $3 }')" "$(lhinfo "$tmp/in" | awk '$2 == "like" { print $3/2 }')"
 }
 
-@test "a round boundary fits anywhere: it is not turned, and that is noted" {
+@test "a round boundary fits in every position: it is not turned, and this is noted" {
 	mkmesh -n 300 cap -o "$tmp/cap.off"
 	mesh2rect -q -n 16 -c 0,1,2,3 "$tmp/cap.off" -o "$tmp/cap"
 	try 0 'fit equally well in two positions' /dev/null mesh2rect -n 16 --like="$tmp/cap" "$tmp/cap.off"
@@ -63,7 +64,7 @@ turned() {
 	try 0 '' /dev/null mesh2rect -q -n 16 --like="$tmp/cap" "$tmp/cap.off"
 }
 
-@test "what --like cannot take is refused" {
+@test "input that --like cannot use is refused" {
 	try 2 '--corners and --like exclude each other' /dev/null mesh2rect -c auto --like="$tmp/a" "$tmp/face.off"
 	try 2 '--like-reversed needs --like' /dev/null mesh2rect --like-reversed "$tmp/face.off"
 	try 1 'nosuch: No such file'            /dev/null mesh2rect --like="$tmp/nosuch" "$tmp/face.off"
@@ -81,11 +82,12 @@ lhg.write(sys.stdout.buffer, [g])') mesh2rect --like=- "$tmp/face.off"
 	try 1 'three vertices has no four corners' /dev/null mesh2rect --like="$tmp/a" "$tmp/one.obj"
 }
 
-@test "real faces get the turn that a person would choose" {
+@test "real faces get the quarter turn that a person would choose" {
 	[ -d "$meshes/good" ] || skip "no meshes"
 	local faces="face_man_scan_6k.off face_neutral_1875.obj face_smile_1656.obj face_nefertiti_4.6k.off"
-	# all stand upright, the man turned by a third of a right angle: corner k of A, seen from
-	# the middle of its face, is in the same quarter of B, give or take 60 degrees
+	# All stand upright, the man's face turned by a third of a right angle.  Seen from the
+	# middle of its face, corner k of A is in the same direction as corner k of B, to 60
+	# degrees.
 	for a in ${faces% face_smile*}; do
 		mesh2rect -q -n 24 --split=0 --polish=0 "$meshes/good/$a" -o "$tmp/fa"
 		for b in $faces; do

@@ -1,5 +1,5 @@
-# Memory that runs out: one line, exit 1, nothing on stdout; and what is too much for the
-# machine is said before the work begins.  SOAK=1 refuses every request for memory in turn.
+# Out of memory: one line, exit 1, nothing on stdout; a problem too large for the machine is
+# refused before the work begins.  With SOAK=1 every allocation fails in turn.
 
 load helper
 
@@ -17,7 +17,7 @@ setup_file() {
 	export ASAN_OPTIONS=detect_leaks=0
 }
 
-# The counters of a coverage build ask for memory of their own, through the same door.
+# The counters of a coverage build allocate through the same functions.
 setup() {
 	case $BUILD in *coverage) skip "coverage counters cannot be refused memory" ;; esac
 }

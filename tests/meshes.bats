@@ -6,7 +6,7 @@ setup() {
 	[ -d "$meshes" ] || skip "no folder $meshes"
 }
 
-@test "bad meshes are refused for the true reason" {
+@test "bad meshes are refused with the true reason" {
 	b=$meshes/bad
 	try 1 'closed surface: no boundary'              /dev/null mesh2rect "$b/closed_bunny.off"
 	try 1 'vertex 976 is pinched'                    /dev/null mesh2rect "$b/pinched_vertex_face.off"
@@ -21,7 +21,7 @@ setup() {
 	try 1 'face 3131 refers to vertex [0-9]+, there are 1656' /dev/null mesh2rect "$b/zero_area_bad_index.off"
 }
 
-@test "meshes that can be repaired are, with a note" {
+@test "meshes that can be repaired are repaired, with a note" {
 	b=$meshes/bad
 	try 0 ''                                         /dev/null mesh2rect -n 16 "$b/quads_wrapped_lines.off"
 	try 0 '3542 unreferenced vertices dropped'       /dev/null mesh2rect -n 16 "$b/unreferenced_vertices.ply"

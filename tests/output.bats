@@ -1,4 +1,4 @@
-# Outputs: whole or not there, full disks, closed pipes, signals.
+# Outputs: complete or absent, full disks, closed pipes, signals.
 
 load helper
 
@@ -9,7 +9,7 @@ setup_file() {
 	grid2lh "$tmp/phi" -o "$tmp/lh"
 }
 
-@test "-o FILE holds what stdout would" {
+@test "-o FILE writes the same bytes as stdout" {
 	mkdir "$tmp/d"
 	cd "$tmp/d"
 	mesh2rect -n 16 "$tmp/cap.off" >a
@@ -66,7 +66,7 @@ setup_file() {
 	try 1 'Too many levels' /dev/null grid2lh "$tmp/phi" -o "$tmp/k/loop"
 }
 
-@test "a file that is replaced keeps its mode, owner and group; a new one has what umask gives" {
+@test "a replaced file keeps its mode, owner and group; a new one follows umask" {
 	local f
 	mkdir "$tmp/m"
 	cd "$tmp/m"
@@ -92,7 +92,7 @@ setup_file() {
 	fi
 }
 
-@test "-o takes a name as long as the file system does" {
+@test "-o accepts the longest name that the file system accepts" {
 	local n
 	mkdir "$tmp/n"
 	for n in 240 247 248 255; do
@@ -102,7 +102,7 @@ setup_file() {
 	try 1 'File name too long' /dev/null mkmesh -n 60 cap -o "$tmp/n/$(printf '%0252d' 0).off"
 }
 
-@test "-o where nothing can be written is an error of one line" {
+@test "-o to a place that cannot be written is an error of one line" {
 	try 1 'No such file or directory' "$tmp/cap.off" mesh2rect -n 8 -o "$tmp/nodir/x"
 	try 1 'Is a directory'            "$tmp/cap.off" mesh2rect -n 8 -o "$tmp"
 	try 1 'No space left on device'   "$tmp/cap.off" mesh2rect -n 8 -o /dev/full
@@ -120,7 +120,7 @@ setup_file() {
 	done
 }
 
-@test "a small file system or a file size limit that is full is an error, and leaves no file" {
+@test "a full small file system or a file size limit is an error, and leaves no file" {
 	mkdir "$tmp/small"
 	if mount -t tmpfs -o size=64k tmpfs "$tmp/small" 2>/dev/null; then
 		echo old >"$tmp/small/x"
@@ -142,7 +142,7 @@ setup_file() {
 	try 1 'stdin: ' "$tmp/cut" grid2lh
 }
 
-@test "stdout, stdin or stderr closed: one line or none, and no other file takes the words" {
+@test "stdout, stdin or stderr closed: one line or none, and no other file receives messages" {
 	local c
 	for c in "mesh2rect -n 8 $tmp/cap.off" "grid2lh $tmp/phi" "lhfft -K 1 $tmp/lh" "lh2grid $tmp/lh" \
 	    "grid2mesh $tmp/phi" "lhinterp -t 0.5 $tmp/lh $tmp/lh" "lhinfo $tmp/lh" \
@@ -181,7 +181,7 @@ setup_file() {
 	done
 }
 
-# faults CALL..: of a command linked with tests/fault.c, see tests/faults.c.
+# faults CALL..: the arguments of a command linked with tests/fault.c, see tests/faults.c.
 faults() {
 	local verdict=$1 call=$2 error=$3 command=$4
 	shift 4
@@ -189,7 +189,7 @@ faults() {
 		"$BUILD/tests/faults" "$verdict" "$call" "$error" 20 "$BUILD/faulty/$command" "$@"
 }
 
-@test "calls interrupted, put off or cut to one byte change no byte" {
+@test "calls that are interrupted, would block or transfer one byte change no byte of the output" {
 	local EINTR=4 EAGAIN=11 call n e
 	grid2lh <"$tmp/phi" >"$tmp/same"
 	for call in read write; do
@@ -203,7 +203,7 @@ faults() {
 			done
 		done
 	done
-	# a real pipe that does not block, with a slow reader
+	# a real non-blocking pipe with a slow reader
 	/usr/bin/python3 - grid2lh "$tmp/phi" >"$tmp/out" <<-'END'
 		import os, subprocess, sys, time
 		r, w = os.pipe()
@@ -241,7 +241,7 @@ faults() {
 			[ "$(cat "$tmp/i/x")" = old ]
 			[ "$(ls -A "$tmp/i")" = x ]
 		done
-		[ "$n" -gt 1 ]                  # it was called, and the last run had no fault
+		[ "$n" -gt 1 ]                  # the call was made, and the last run had no fault
 		cmp "$tmp/i/x" "$tmp/lh"
 	done
 	code=0
@@ -269,7 +269,7 @@ faults() {
 		[ $code = $((128 + $(kill -l $sig))) ] || { echo "exit $code after $sig"; false; }
 		[ -z "$(ls -A "$tmp/h")" ]
 	done
-	# what it says goes to a pipe that is closed
+	# the pipe of stderr is closed
 	run bash -c "lh2grid -v $tmp/1000 -o $tmp/h/x 2>&1 | head -1 >/dev/null; echo \${PIPESTATUS[0]}"
 	[ "$output" = 141 ]
 	[ -z "$(ls -A "$tmp/h")" ]
@@ -290,7 +290,7 @@ faults() {
 	[ "$(ls -A "$tmp/j")" = x ]
 }
 
-@test "numbered files of a stream are whole, from 1" {
+@test "numbered files of a stream are complete, and are numbered from 1" {
 	lhinterp -n 3 "$tmp/lh" "$tmp/lh" | lh2grid | grid2mesh -o "$tmp/frame-%03d.ply"
 	[ "$(echo "$tmp"/frame-*)" = "$tmp/frame-001.ply $tmp/frame-002.ply $tmp/frame-003.ply" ]
 	mesh2rect -n 4 "$tmp/frame-002.ply" >/dev/null

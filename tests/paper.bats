@@ -1,8 +1,8 @@
-# scripts/paper on mkmesh's surfaces and small grids: the report is whole, or not there.
+# scripts/paper on mkmesh's surfaces and small grids: the report is complete or absent.
 
 load helper
 
-@test "paper writes its report and every picture that stands in it, and nothing else" {
+@test "paper writes its report and every picture that the report shows, and nothing else" {
 	case $BUILD in */*) skip "the commands have their own tests under sanitizers" ;; esac
 	local picture
 	OMP_NUM_THREADS=1 LHGRID_MESHES=$tmp/none TMPDIR=$tmp/none scripts/paper "$tmp/paper" 32 6 100
@@ -12,15 +12,15 @@ load helper
 	done
 	[ "$(grep -c ^figure "$tmp/pictures")" -ge 13 ]
 	[ "$(ls "$tmp/paper" | grep -vFf "$tmp/pictures" | tr '\n' ' ')" = "report.md times.md work " ]
-	# Four tables of six numbers a row, a heading and six surfaces;
-	# and what holds on these surfaces and small grids too.
+	# Four tables with six numbers a row, each of a heading and six surfaces; and the promises
+	# that hold on these surfaces and small grids too.
 	[ "$(grep -cE '^\| [A-Za-z ()0-9]*( \| [0-9.e+-]+){6} \|$' "$tmp/paper/report.md")" = 28 ]
 	[ "$(grep -cE '^- (holds|\*\*VIOLATED\*\*): ' "$tmp/paper/report.md")" = 10 ]
 	[ "$(grep -c '^- holds: .*: t = 0 and t = 1 give the ends back' "$tmp/paper/report.md")" = 3 ]
 	grep -q '^- holds: human face (man) to .*: the Hausdorff distance from the start rises' "$tmp/paper/report.md"
 }
 
-@test "paper stops at the first failure with its one line and no report" {
+@test "paper stops at the first failure with one line and no report" {
 	mkdir -p "$tmp/bare/good"
 	code=0
 	LHGRID_MESHES=$tmp/bare scripts/paper "$tmp/not" 32 6 100 >"$tmp/out" 2>"$tmp/err" || code=$?

@@ -1,4 +1,4 @@
-# What the pipeline promises: surfaces given back, ends of morphs, invariances.
+# Properties of the pipeline: surfaces given back, ends of morphs, invariances.
 
 load helper
 
@@ -14,8 +14,8 @@ setup_file() {
 }
 
 @test "K = 0 gives every synthetic surface back" {
-	# max and mean distance over sqrt(area); the reliefs turn too far over one cell of so
-	# coarse a grid, and come nearer on finer ones (make bench)
+	# Max and mean distance over sqrt(area).  The reliefs turn too much within a cell of so
+	# coarse a grid; on finer ones their error is smaller (make bench).
 	while read -r kind max mean; do
 		mkmesh -n 10000 "$kind" | mesh2rect -n 64 -o "$tmp/phi"
 		grid2lh "$tmp/phi" | lhfft -K 0 | lh2grid -o "$tmp/psi"
@@ -36,9 +36,9 @@ setup_file() {
 	END
 }
 
-@test "the map knows the modulus of surfaces whose modulus is known" {
+@test "the map finds the modulus of surfaces whose modulus is known" {
 	local T
-	# side ratio of mkmesh rectangle a=1 b=0.7; the others by formula in mkmesh --help
+	# side ratio of mkmesh rectangle a=1 b=0.7; the others are formulas in mkmesh --help
 	mkmesh -n 2000 rectangle a=1 b=0.7 | mesh2rect -n 8 -c 0,1,2,3 -o "$tmp/r"
 	T=$(sed -n 's/^height //p;/^end/q' "$tmp/r")
 	below "$(awk -v t="$T" 'BEGIN { d = t - 0.7; print d < 0 ? -d : d }')" 1e-9
@@ -86,7 +86,7 @@ same() {
 	END
 }
 
-@test "lhfft: K = 0 is the identity; the defaults by name are the defaults" {
+@test "lhfft: K = 0 is the identity; options that name the defaults change nothing" {
 	local o
 	for o in '' --basis=dft --no-log-lambda '--basis=dft --no-log-lambda' --no-bending --raw; do
 		lhfft -K 0 $o "$tmp/torus.lh" -o "$tmp/k"
@@ -120,7 +120,7 @@ lhg.write(sys.argv[1], [g])' "$tmp/even"
 	run ! same "$tmp/apart" "$tmp/torus.lh" lambda
 }
 
-@test "lhfft: it is lambda H that is filtered, and H is what then belongs to lambda" {
+@test "lhfft filters lambda H and divides the result by lambda" {
 	lhfft --low-pass=0 "$tmp/torus.lh" -o "$tmp/mean"
 	/usr/bin/python3 - "$tmp/torus.lh" "$tmp/mean" <<-'END'
 		import sys
@@ -157,7 +157,7 @@ lhg.write(sys.argv[1], [g])' "$tmp/even"
 	[ -s "$tmp/scale3.off" ]
 }
 
-@test "lhfft: --spectrum is the table that -K and --low-pass choose from" {
+@test "lhfft: --spectrum writes the table that -K and --low-pass select from" {
 	local o line H
 	lhfft -K 1 "$tmp/torus.lh" -o "$tmp/plain"
 	for o in --basis=dct --basis=dft --no-log-lambda --no-bending; do
@@ -165,7 +165,7 @@ lhg.write(sys.argv[1], [g])' "$tmp/even"
 		H='lambda H'
 		[ $o != --no-bending ] || H=H
 		head -n 1 "$tmp/table" | grep -q "	$H\$"
-		for line in 4 5; do             # what is above 1 percent is what was kept
+		for line in 4 5; do             # the rows above 1 percent are the coefficients kept
 			set -- "$([ $line = 4 ] && echo lambda || echo "$H")" $line
 			awk -F'\t' -v c=$2 -v dft=$([ $o = --basis=dft ] && echo 1) \
 				'NR > 1 && ($1 + $2 == 0 && $1 == 0 || $c > 1) { n += dft && $1 > 0 ? 2 : 1 } END { print n }' \
@@ -203,7 +203,7 @@ assert next(iter(lhg.read(sys.argv[1])))["lambda"].min() > 0' "$1"
 	positive "$tmp/out"
 }
 
-@test "smoothing takes the noise and leaves the shape" {
+@test "smoothing removes the noise and keeps the shape" {
 	# bending energy: the integral of H^2 over the area, on the grid
 	energy() {
 		/usr/bin/python3 - "$1" <<-'END'
@@ -233,7 +233,7 @@ assert next(iter(lhg.read(sys.argv[1])))["lambda"].min() > 0' "$1"
 	below "$(error_of "$tmp/a.off" "$tmp/c.off" max_rel)" 1e-9
 }
 
-@test "channels and metadata a stage does not know pass through" {
+@test "channels and metadata that a stage does not know pass through" {
 	/usr/bin/python3 - "$tmp/cap.phi" "$tmp/more.phi" <<-'END'
 		import sys
 		sys.path.insert(0, 'scripts')

@@ -14,7 +14,7 @@ setup_file() {
 
 stages=('mesh2rect -n 8 cap.off' grid2lh 'lhfft -K 1' lh2grid grid2mesh)
 
-# broken WHAT: the pipeline of this text ends with 1, says why and writes nothing.
+# broken WHAT: this pipeline exits with 1, says why and writes nothing.
 broken() {
 	local code=0
 	(cd "$tmp" && sh -c "$1" >out 2>err) || code=$?
@@ -23,7 +23,7 @@ broken() {
 	[ -s "$tmp/err" ] || { echo "$1: no word"; return 1; }
 }
 
-# joined FROM TO: these stages with pipes between them.
+# joined FROM TO: these stages joined by pipes.
 joined() {
 	local i text=
 	for i in $(seq "$1" "$2"); do
@@ -45,7 +45,7 @@ joined() {
 }
 
 @test "a stage that is killed at any of its writes" {
-	# the n-th write of a stage is the last thing it does
+	# the stage is killed at its n-th write
 	local i n
 	for i in 0 1 2 3; do
 		for n in 1 2 3 5; do
@@ -73,7 +73,7 @@ input() {
 			lhinfo "$tmp/out" >/dev/null 2>&1 && { echo "$c, $n: complete"; return 1; }
 		done
 	done
-	# a file for each frame: those that are there are whole
+	# with a file for each frame, the files that exist are complete
 	mkdir "$tmp/frames"
 	head -c $((size - 1)) "$tmp/two" | lh2grid 2>/dev/null | grid2mesh -o "$tmp/frames/%d.off" 2>/dev/null && return 1
 	[ "$(ls -A "$tmp/frames")" = 1.off ]
@@ -81,7 +81,7 @@ input() {
 	cmp "$tmp/whole-1.off" "$tmp/frames/1.off"
 }
 
-@test "a stage that is not there, fails at once or is killed at once" {
+@test "a stage that does not exist, fails at once or is killed at once" {
 	local i text k
 	for k in 'false' 'nosuchcommand' 'sh -c "kill -9 \$\$"' 'sh -c "cat >/dev/null; kill -9 \$\$"' 'lhfft'; do
 		for i in 0 1 2 3; do
@@ -94,7 +94,7 @@ input() {
 	broken "mesh2rect -n 8 cap.off | $(joined 2 4)"
 }
 
-@test "a stream of two sets whose second is damaged or cut, or whose stage is killed there, fails to the end" {
+@test "a stream of two sets makes all later stages fail if the second is damaged or cut, or its stage is killed" {
 	local size=$(wc -c <"$tmp/phi") i n
 	mesh2rect -n 8 "$tmp/cap.off" | cat "$tmp/phi" - >"$tmp/sets"
 	grid2lh "$tmp/sets" | lhfft -K 1 | lh2grid --keyframes=2 | lhinfo >/dev/null

@@ -137,8 +137,8 @@ hold(const Disk *d, int a, int b, double value, double *x, int *number)
 	}
 }
 
-/* The Dirichlet energy of the function that is 0 on the side that begins at corner k,
- * 1 on the one opposite, and harmonic. */
+/* Dirichlet energy of the harmonic function that is 0 on the side that begins at corner k and 1
+ * on the opposite side. */
 static double
 harmonic(const Disk *d, const int corner[4], int k)
 {

@@ -7,14 +7,14 @@ setup_file() {
 	load helper
 	cd "$tmp"
 	mkmesh -n 3000 face -o face.off
-	mesh2rect -n 96 --uv=uv.ply face.off -o phi     # more nodes than one thread takes
+	mesh2rect -n 96 --uv=uv.ply face.off -o phi     # more nodes than a single thread handles
 	grid2lh --residual phi -o lh
 	mesh2rect -n 24 face.off | grid2lh -o small.lh
 	mkdir there
 	cp face.off uv.ply phi lh small.lh there
 }
 
-# same COMMAND...: the bytes of stdout and stderr, whatever the surroundings.
+# same COMMAND...: the bytes of stdout and stderr do not depend on the environment.
 same() {
 	local n
 	cd "$tmp"
@@ -40,7 +40,7 @@ same() {
 @test "lhinfo"    { same lhinfo phi lh; same lhinfo --json lh; }
 @test "lhdiff"    { same lhdiff --no-self-intersections phi face.off; same lhdiff --json phi phi; }
 
-@test "files are the same bytes as stdout: --uv, --spectrum, every kind of mesh" {
+@test "files have the same bytes as stdout: --uv, --spectrum, every mesh format" {
 	local e
 	cd "$tmp"
 	for e in off obj ply stl; do
@@ -53,7 +53,7 @@ same() {
 	cmp a.table b.table
 }
 
-@test "numbers have a point in a locale of commas, in files and in options" {
+@test "numbers have a decimal point in a locale of decimal commas, in files and in options" {
 	cd "$tmp"
 	export LC_ALL=de_DE.UTF-8
 	[ "$(printf %.1f 0,5 2>/dev/null)" = 0,5 ] || skip "no locale de_DE.UTF-8"

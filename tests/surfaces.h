@@ -50,7 +50,7 @@ enneper(double u, double v)
 	return (Node){ { x - x*x*x/3 + x*y*y, y - y*y*y/3 + y*x*x, x*x - y*y }, 1 + x*x + y*y, 0 };
 }
 
-/* R = sqrt(2), r = 1, outward: the one here whose H varies. */
+/* R = sqrt(2), r = 1, normal outward: the only one here whose H varies. */
 static inline Node
 torus(double u, double v)
 {
@@ -84,7 +84,7 @@ sample_immersion(Immersion *f, Chart g, double s, double *phi[3], double *lambda
 		}
 }
 
-/* The largest difference of two fields; NaN when there is one. */
+/* The largest difference of two fields; NaN if any difference is NaN. */
 static inline double
 largest(size_t n, const double *a, const double *b)
 {
@@ -97,7 +97,7 @@ largest(size_t n, const double *a, const double *b)
 	return max;
 }
 
-/* Random numbers in [-1,1], the same at every run. */
+/* Random numbers in [-1,1], the same in every run. */
 static inline double
 noise(unsigned long long *state)
 {

@@ -5,8 +5,8 @@
 #include "../lib/mesh/disk.h"
 #include "../lib/synth/synth.h"
 
-/* The disk of a kind with its default parameters and n vertices or so; *xy the parameters
- * of its vertices, if not NULL.  Vertices 0 1 2 3 are its corners. */
+/* The disk of a kind with its default parameters and about n vertices; vertices 0 1 2 3 are its
+ * corners.  *xy, if not NULL, gets the parameters of its vertices. */
 static inline void
 synth_disk(const char *kind, int n, Synth *s, SynthDomain *dom, Disk *d, double **xy)
 {

@@ -1,4 +1,4 @@
-/* test_adapt.c - splitting facets, and the map on what it makes. */
+/* test_adapt.c - splitting of faces, and the map on the split mesh. */
 #include "cmock.h"
 
 #include <math.h>
@@ -12,8 +12,8 @@
 #include "surfaces.h"
 #include "synthdisk.h"
 
-/* A conforming mesh of the same surface: still a disk, of the same area and the same
- * boundary, with its twins; old vertices in place. */
+/* A conforming mesh of the same surface: still a disk, with the same area and boundary and valid
+ * twins; the old vertices are unchanged. */
 static void
 check_finer(const Disk *d, const Disk *finer)
 {
@@ -76,7 +76,7 @@ least_angle(const Mesh *m)
 	return least;
 }
 
-/* The least angle of similar faces is the one there was. */
+/* Similar faces keep their least angle. */
 static void
 split_similar_keeps_angles(void **state)
 {
@@ -170,8 +170,8 @@ stops_at_the_limit(void **state)
 	disk_free(&d);
 }
 
-/* The splitting ends at every bound, also where the room left is too small for one face.  The
- * alarm ends the process if it does not. */
+/* Splitting stops at every bound, also where the remaining room is too small for one face.  If it
+ * does not, the alarm ends the process. */
 static void
 ends_at_every_limit(void **state)
 {
@@ -194,8 +194,8 @@ ends_at_every_limit(void **state)
 	disk_free(&d);
 }
 
-/* A vertex thrown out of its ring turns triangles; they are set right, and nothing far
- * away moves. */
+/* A vertex moved out of its ring flips triangles; untangling repairs them, and moves no vertex
+ * far away. */
 static void
 untangle_sets_right(void **state)
 {

@@ -57,7 +57,7 @@ once_round(void **state)
 	}
 }
 
-/* The rectangle's sides are straight: places are proportions of them. */
+/* The rectangle's sides are straight, so places are proportions of them. */
 static void
 places(void **state)
 {
@@ -87,7 +87,7 @@ places(void **state)
 	border_free(&b);
 }
 
-/* Against a search of many places. */
+/* Against brute force over many places. */
 static void
 nearest(void **state)
 {

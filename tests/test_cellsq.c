@@ -8,7 +8,7 @@
 static const Chart CHART = { 13, 9, 0.6, &CHART_RECTANGLE };
 enum { FIELDS = 2, ROWS = 5, RHS = 2, NODES = 13*9, CELLS = 12*8, HELD = 1 };
 
-/* A random full system, the same numbers whenever a cell is asked for. */
+/* A random full system, the same numbers on every request for a cell. */
 static void
 random_cell(const void *ctx, int i, int j, CellRows *r)
 {

@@ -1,5 +1,5 @@
-/* test_channel.c - channels of a mesh: kept by repair and splitting, put on a grid by sampler.h, and
- * brought back from a grid to the vertices by gridpoint.h. */
+/* test_channel.c - channels of a mesh: kept by repair and splitting, sampled on a grid by
+ * sampler.h, and returned from a grid to the vertices by gridpoint.h. */
 #include "cmock.h"
 
 #include <math.h>
@@ -60,7 +60,7 @@ drop(Sheet *s)
 	free(s->y);
 }
 
-/* c on the nodes of the sheet; free each of out. */
+/* Channel c at the nodes of the sheet; the caller frees each of out. */
 static void
 sampled(const Sheet *s, int surface, const Channel *c, double *out[])
 {
@@ -74,7 +74,7 @@ sampled(const Sheet *s, int surface, const Channel *c, double *out[])
 	sampler_free(&sampler);
 }
 
-/* Numbers that are linear in the positions go where the positions go. */
+/* Channels linear in the positions stay so on the grid. */
 static void
 linear_in_position(void **state)
 {
@@ -123,7 +123,8 @@ size(int k)
 	return k == 0 ? 1 : k == 1 ? 1e-5 : 1e9;
 }
 
-/* Quadratics of (u,v), of any size, with extrema, are exact on the grid and back on the vertices. */
+/* Quadratics of (u,v), of any size, including extrema, are exact on the grid and, returned, on
+ * the vertices. */
 static void
 quadratics_there_and_back(void **state)
 {
@@ -146,7 +147,7 @@ quadratics_there_and_back(void **state)
 	for (k = 0; k < 3; k++)
 		for (i = 0; i < n; i++)
 			assert_true(fabs(out[k][i] - quadratic(s.x[i], s.y[i], k)) < 1e-10*size(k));
-	uv[0] = uv[1] = -1;             /* a vertex without (u,v) keeps its numbers */
+	uv[0] = uv[1] = -1;             /* a vertex without (u,v) keeps its values */
 	assert_int_equal(gridpoint_uv(s.g, 0, nv, uv, place, &at), 0);
 	gridpoint_vertices(s.g, 3, (const double *const *)out, nv, place, back);
 	for (i = 0; i < nv; i++)
@@ -161,7 +162,7 @@ quadratics_there_and_back(void **state)
 	drop(&s);
 }
 
-/* Labels 0 and 1: no node goes far beyond them, nor anywhere far from the jump. */
+/* Labels 0 and 1: no node overshoots far, and none at all far from the jump. */
 static void
 jumps_do_not_overshoot(void **state)
 {
@@ -189,7 +190,7 @@ jumps_do_not_overshoot(void **state)
 	drop(&s);
 }
 
-/* Two triangles of a soup, with a vertex of no face. */
+/* A soup of two triangles and a vertex of no face. */
 static void
 kept_by_repair(void **state)
 {
@@ -217,13 +218,14 @@ kept_by_repair(void **state)
 	assert_int_equal(disk_channel_to_soup(&d, "back", 3, c->f, -1, &s), 0);
 	to = channel_values(&s.channels, "back");
 	assert_true(to[0] == -1 && to[1] == -1 && to[2] == -1);
-	for (i = 1; i < 7; i++)         /* a welded vertex has the numbers of the first */
+	for (i = 1; i < 7; i++)         /* a welded vertex has the values of the first */
 		assert_true(to[3*i] == (i == 4 ? 2 : i == 6 ? 3 : i) && to[3*i+2] == 0.5);
 	channels_free(&s.channels);
 	disk_free(&d);
 }
 
-/* New vertices have the mean of the ends of their edges, so numbers linear in the position stay so. */
+/* New vertices get the mean of the ends of their edges, so channels linear in the positions stay
+ * linear. */
 static void
 kept_by_splitting(void **state)
 {

@@ -1,5 +1,5 @@
-/* test_chol.c - the sparse Cholesky factor against dense elimination, and on graphs too
- * large for that against a solution chosen beforehand. */
+/* test_chol.c - the sparse Cholesky factor against dense elimination and, on larger graphs,
+ * against a solution chosen beforehand. */
 #include "cmock.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@
 #include "../lib/sparse/chol.h"
 #include "surfaces.h"
 
-/* A matrix on a graph of its own, with an order of elimination. */
+/* A matrix, its graph and its order of elimination. */
 typedef struct System {
 	Graph   g;
 	int    *order;
@@ -24,7 +24,7 @@ room(size_t n, size_t size)
 	return p;
 }
 
-/* From the pattern: the matrix with diag(A) its row sums of |a_ij| plus a little. */
+/* Makes the matrix from its pattern; the diagonal is the row sum of |a_ij| plus a little. */
 static void
 set_values(System *s, unsigned long long *seed)
 {
@@ -46,7 +46,7 @@ set_values(System *s, unsigned long long *seed)
 			s->diagonal[i] += fabs(s->off[k]);
 }
 
-/* Each pair an edge with this chance; eliminated in random order. */
+/* Each pair is an edge with this probability; random order of elimination. */
 static System
 random_system(int n, double chance, unsigned long long *seed)
 {
@@ -104,7 +104,7 @@ drop(System *s)
 	free(s->g.first), free(s->g.adj), free(s->order), free(s->off), free(s->diagonal);
 }
 
-/* y = A x, rows and columns held those of the identity. */
+/* y = A x, with the rows and columns of held vertices those of the identity. */
 static void
 multiply(const System *s, const unsigned char *held, const double *x, double *y)
 {
@@ -118,7 +118,7 @@ multiply(const System *s, const unsigned char *held, const double *x, double *y)
 	}
 }
 
-/* What chol_solve makes of A x, against x. */
+/* The error of chol_solve for the right-hand side A x is below bound. */
 static void
 check_solution(const System *s, const unsigned char *held, unsigned long long *seed, double bound)
 {
@@ -139,7 +139,7 @@ check_solution(const System *s, const unsigned char *held, unsigned long long *s
 	free(x), free(y);
 }
 
-/* Single vertices, pieces that do not hang together, and full matrices among them. */
+/* Including single vertices, unconnected graphs and full matrices. */
 static void
 random_patterns(void **state)
 {
@@ -174,7 +174,7 @@ held_vertices(void **state)
 	}
 }
 
-/* Fronts that are made by tasks: a full matrix is one front, a square has several. */
+/* Fronts factored by several tasks: a full matrix is a single front, a square has several. */
 static void
 large_fronts(void **state)
 {
@@ -189,7 +189,7 @@ large_fronts(void **state)
 	drop(&s);
 }
 
-/* The same analysis with other numbers: nothing is left of those before. */
+/* The same analysis with other numbers: nothing remains of the old ones. */
 static void
 solved_again(void **state)
 {
@@ -247,8 +247,8 @@ inverse_is_its_own_adjoint(void **state)
 	drop(&s);
 }
 
-/* The vertex whose pivot is the first that is not positive when a full matrix is
- * eliminated in this order; -1 if there is none. */
+/* The vertex of the first pivot that is not positive when the full matrix is eliminated in this
+ * order, or -1. */
 static int
 first_to_fail(const System *s, const int *order)
 {
@@ -273,7 +273,8 @@ first_to_fail(const System *s, const int *order)
 	return bad;
 }
 
-/* Diagonals made smaller, one after the other or all at once, until it shows. */
+/* Diagonals are made smaller, one after the other or all at once, until the matrix is indefinite.
+ * */
 static void
 indefinite_is_found_where_it_shows(void **state)
 {

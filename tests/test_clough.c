@@ -1,9 +1,9 @@
-/* test_clough.c - clough.h against cubics, for continuity, order and limits. */
+/* test_clough.c - clough.h: exact on cubics, continuity, order and limits. */
 #include "cmock.h"
 
 #include "charted.h"
 
-/* Sides of triangle t across which the derivative was limited. */
+/* Number of sides of triangle t across which the derivative was limited. */
 static int
 limited_sides(const Clough *c, int t)
 {
@@ -13,8 +13,8 @@ limited_sides(const Clough *c, int t)
 	return clough_eval(c, t, centre, phi);
 }
 
-/* The cubic on the side i j given by the positions and derivatives at its ends, at
- * (1-s) i + s j. */
+/* The cubic on side i j that interpolates positions and derivatives at its ends, at (1-s) i + s
+ * j. */
 static void
 cubic_of_side(const Clough *cl, int i, int j, double s, double phi[3])
 {
@@ -78,7 +78,7 @@ along(const Charted *s, int t, const double b[3], const double d[3], double firs
 	}
 }
 
-/* Corner of triangle t opposite to the side that it shares with triangle r, or -1. */
+/* The corner of triangle t opposite the side shared with triangle r, or -1. */
 static int
 corner_opposite(const Mesh *m, int t, int r)
 {
@@ -93,7 +93,7 @@ corner_opposite(const Mesh *m, int t, int r)
 	return -1;
 }
 
-/* Pairs (t, r, k) of triangles with a common side; k is the corner of t away from it. */
+/* All pairs (t, r, k) of triangles with a common side; k is the corner of t not on it. */
 typedef struct Pair {
 	int t, r, k;
 } Pair;
@@ -122,7 +122,7 @@ on_side(const Mesh *m, int t, int i, int j, double x, double b[3])
 		b[k] = m->tri[3*t + k] == i ? 1 - x : m->tri[3*t + k] == j ? x : 0;
 }
 
-/* Jets that belong to no surface, small enough not to be limited. */
+/* Random jets, which belong to no surface, small enough not to be limited. */
 static void
 random_jets(Charted *s, uint64_t seed, double size)
 {
@@ -159,8 +159,7 @@ cubics_are_exact(void **state)
 	charted_free(&s);
 }
 
-/* Triangles with a side of length 0, others turned over by that: cubics are exact there,
- * too. */
+/* Triangles with a side of length 0, and others that this flips: cubics are exact there too. */
 static void
 coincident_vertices(void **state)
 {
@@ -188,7 +187,7 @@ coincident_vertices(void **state)
 	charted_free(&s);
 }
 
-/* To the bit, whatever the jets. */
+/* Bit for bit, for any jets. */
 static void
 exact_at_vertices(void **state)
 {
@@ -237,7 +236,7 @@ across(const Charted *s, int t, int i, int j, double x, int k, double out[3])
 		out[c] = (first[c] - share*20*tangent[c])/height;
 }
 
-/* Continuous first derivatives over the sides, with any jets. */
+/* First derivatives are continuous across the sides, for any jets. */
 static void
 smooth_over_sides(void **state)
 {
@@ -298,8 +297,8 @@ smooth_inside(void **state)
 	charted_free(&s);
 }
 
-/* On rubbish: neighbours meet in the cubic of the side, and nothing leaves its
- * flat triangle by more than half the longest side.  The limit is needed. */
+/* On degenerate input, neighbours have the same cubic on their common side, and no point leaves
+ * its flat triangle by more than half the longest side.  The limit is needed for this. */
 static void
 rubbish_is_continuous_and_bounded(void **state)
 {
@@ -337,7 +336,7 @@ rubbish_is_continuous_and_bounded(void **state)
 	assert_true(limited > 0);
 }
 
-/* Second derivatives without any bound, which act inside triangles only. */
+/* Second derivatives without any limit, which have an effect only inside triangles. */
 static void
 bounded_for_any_jets(void **state)
 {

@@ -40,7 +40,7 @@ rms_H(int n, int cells)
 	return sqrt(sum/((g.nu - 2.0)*(g.nv - 2)));
 }
 
-/* Linear elements would divide it by 1.7, no polish of a nearly conformal grid by 2.1. */
+/* With linear elements the factor would be 1.7, without polish of a nearly conformal grid 2.1. */
 static void
 H_is_of_second_order(void **state)
 {

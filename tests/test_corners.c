@@ -1,5 +1,5 @@
-/* test_corners.c - corners.h on surfaces whose corners are known, on ragged
- * boundaries, on what has no corners; points, and the turned disk. */
+/* test_corners.c - corners.h on surfaces whose corners are known, on ragged boundaries and on
+ * surfaces without corners; nearest points, and the flipped disk. */
 #include "cmock.h"
 
 #include <math.h>
@@ -45,7 +45,7 @@ real_corners(void **state)
 	}
 }
 
-/* The arcs between the corners of a boundary without corners are quarters, to an edge. */
+/* On a boundary without corners the four arcs are quarters, to an edge length. */
 static void
 equal_arcs(void **state)
 {
@@ -162,8 +162,8 @@ ragged_corners(void **state)
 	}
 }
 
-/* A square whose top has a notch, with turns of 30, -60 and 30 degrees: what turns away
- * from the surface is no corner, seen from either side. */
+/* A square whose top has a notch, with turns of 30, -60 and 30 degrees: a reflex turn is no
+ * corner, from either side of the surface. */
 static void
 notched(void **state)
 {
@@ -197,7 +197,7 @@ notched(void **state)
 	disk_free(&d);
 }
 
-/* The other side of a surface has the same corners in the other order. */
+/* The flipped surface has the same corners in the other order. */
 static void
 flipped_corners(void **state)
 {
@@ -230,8 +230,8 @@ nearest_points(void **state)
 	assert_int_equal(disk_from_soup(&d, &s), 0);
 	for (i = 0; i < 4; i++)
 		assert_int_equal(corners_nearest(&d, xyz + 3*i), i);
-	assert_int_equal(corners_nearest(&d, (double[]){ 1.1, 1.2, 0 }), 2);    /* 4 is nearer, inside */
-	assert_int_equal(corners_nearest(&d, (double[]){ 1, 1, 5 }), 0);        /* of four, the lowest */
+	assert_int_equal(corners_nearest(&d, (double[]){ 1.1, 1.2, 0 }), 2);    /* 4 is nearer, but inside */
+	assert_int_equal(corners_nearest(&d, (double[]){ 1, 1, 5 }), 0);        /* of the four, the lowest number */
 	assert_int_equal(corners_nearest(&d, (double[]){ 3, 1, 0 }), 1);
 	assert_int_equal(corners_nearest(&d, (double[]){ -1e5, 1e5, 0 }), 3);
 	disk_flip(&d);                                                          /* the loop runs 0 3 2 1 */
@@ -259,7 +259,8 @@ too_few(void **state)
 	disk_free(&d);
 }
 
-/* Places of the vertices give the vertices, from any of them; close ones give neighbours. */
+/* Places that are vertices give these vertices, from any first one; close places give neighbours.
+ * */
 static void
 at_places(void **state)
 {

@@ -1,5 +1,5 @@
-/* test_curvematch.c - where a closed curve begins, against motions one by one and against
- * curves that were turned, moved and disturbed. */
+/* test_curvematch.c - the best shift of a closed curve against another: against rigid fits for
+ * each shift, and for curves shifted, moved and disturbed. */
 #include "cmock.h"
 
 #include <math.h>
@@ -38,7 +38,7 @@ disturb(uint64_t *seed, double size, int n, double *x)
 
 static const Rigid MOVE = { { { 0.36, 0.48, -0.8 }, { -0.8, 0.6, 0 }, { 0.48, 0.64, 0.6 } }, { 5, -7, 11 } };
 
-/* rms of every shift is that of the points paired at this shift. */
+/* The rms of every shift is that of the best motion for the pairs of points at this shift. */
 static void
 against_brute_force(void **state)
 {
@@ -87,7 +87,7 @@ known_shifts(void **state)
 		}
 }
 
-/* On a circle all shifts are equal: the one that turns nothing. */
+/* On a circle all shifts fit equally well: the one that rotates nothing is chosen. */
 static void
 circle(void **state)
 {
@@ -101,7 +101,8 @@ circle(void **state)
 	assert_int_equal(curvematch_choose(N, rms, angle, 1), 0);
 }
 
-/* An ellipse fits upside down as well: the fit that turns it less, and the other is the next. */
+/* An ellipse also fits turned by 180 degrees: the fit with the smaller rotation is chosen, and
+ * the other is the second best. */
 static void
 two_fits(void **state)
 {

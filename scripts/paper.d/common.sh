@@ -1,4 +1,4 @@
-# common.sh - what the parts of scripts/paper share.
+# common.sh - functions shared by the parts of scripts/paper.
 
 export PYTHONDONTWRITEBYTECODE=1
 
@@ -13,12 +13,12 @@ need() {
 	done
 }
 
-# run COMMAND...: its notes are in $w/said; when it fails, ends with its last line.
+# run COMMAND...: writes its notes to $w/said; if it fails, dies with the last of them.
 run() {
 	"$@" 2>"$w/said" || die "$(tail -n 1 "$w/said")"
 }
 
-# timed NAME COMMAND...: run, and the seconds it took in $w/NAME.seconds.
+# timed NAME COMMAND...: the same, and writes the seconds it took to $w/NAME.seconds.
 timed() {
 	t=$w/$1.seconds
 	shift
@@ -28,12 +28,13 @@ timed() {
 python() { script=$1; shift; run /usr/bin/python3 "$here/$script" "$@"; }
 render() { python render.py "$@"; }
 
-# diffs A STREAM [OPTION]: the table of lhdiff, the grids of STREAM against A, in $w/STREAM.diffs.
+# diffs A STREAM [OPTION]: writes lhdiff's table of the grids of STREAM against A to
+# $w/STREAM.diffs.
 diffs() {
 	run lhdiff ${3:+"$3"} "$w/$1.lhg" "$w/$2.lhg" -o "$w/$2.diffs"
 }
 
-# column STREAM NAME [FACTOR]: that number for every grid, blanks between.
+# column STREAM NAME [FACTOR]: a column of that table, times FACTOR, on one line.
 column() {
 	awk -F '\t' -v name="$2" -v f="${3:-1}" '
 		NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; if (!c) exit 1; next }
@@ -48,7 +49,8 @@ frames_with() {
 		END { if (!sep) printf "none" }' "$w/$1.self"
 }
 
-# pair NAME MESH CELLS [MESH2RECT OPTIONS]: $w/NAME.lhg, the grid, and $w/NAME-lh.lhg.
+# pair NAME MESH CELLS [MESH2RECT OPTIONS]: makes the grid $w/NAME.lhg and its lambda and H,
+# $w/NAME-lh.lhg.
 pair() {
 	grid=$1 from=$2 n=$3
 	shift 3
@@ -56,25 +58,26 @@ pair() {
 	timed "$grid.lh" grid2lh -q "$w/$grid.lhg" -o "$w/$grid-lh.lhg"
 }
 
-# back LH GRID: the surfaces of a stream.
+# back LH GRID: the surfaces of a stream of lambda and H.
 back() {
 	run lh2grid -q "$w/$1.lhg" -o "$w/$2.lhg"
 }
 
-# number FILE NAME: a number of what lhdiff wrote.
+# number FILE NAME: a number of lhdiff's output.
 number() {
 	awk -v n="$2" '$1 == n { print $2; found = 1 } END { exit !found }' "$1" || die "lhdiff prints no $2"
 }
 
-# short X [FACTOR]: FACTOR X with three digits.
+# short X [FACTOR]: FACTOR X to three significant digits.
 short() { awk -v x="$1" -v f="${2:-1}" 'BEGIN { printf "%.3g", f*x }'; }
 
-# rising NUMBER...: nothing where they rise, else the place of the first that does not.
+# rising NUMBER...: prints the index of the first number that is not above the one before it;
+# nothing if they all rise.
 rising() {
 	awk 'BEGIN { for (i = 2; i < ARGC; i++) if (!(ARGV[i] + 0 > ARGV[i-1] + 0)) { print i; exit } }' "$@"
 }
 
-# promise WHAT-IS-WRONG TEXT: one line of the report's list of what must hold.
+# promise FAILURE TEXT: a line in the report's list of promises; TEXT holds if FAILURE is empty.
 promise() {
 	if [ -z "$1" ]; then mark=holds; else mark='**VIOLATED**'; fi
 	printf -- '- %s: %s%s\n' "$mark" "$2" "${1:+; not: $1}" >>"$w/promises.md"
@@ -82,13 +85,13 @@ promise() {
 
 say() { printf '%s\n' "$@" >>"$w/body.md"; }
 
-# shown PICTURE TEXT: a picture and the words under it.
+# shown PICTURE TEXT: a picture and its caption.
 shown() {
 	say '' "![$2]($1.png)" '' "$2" ''
 }
 
-# figure NAME WIDTHxHEIGHT COLUMNS [PANEL TITLE LEFT RIGHT]...: pictures of one size in
-# rows, each under its title; LEFT and RIGHT stand at the ends of its colour bar.
+# figure NAME WIDTHxHEIGHT COLUMNS [PANEL TITLE LEFT RIGHT]...: pictures of one size in rows, each
+# below its title; LEFT and RIGHT are the numbers at the ends of its colour bar.
 figure() {
 	picture=$1 wide=${2%x*} high=${2#*x} columns=$3
 	shift 3
@@ -120,7 +123,7 @@ panels() {
 	echo "plot $images"
 }
 
-# summary: the report, whole or not there.
+# summary: writes the report, complete or not at all.
 summary() {
 	{
 		echo '# The paper on our surfaces'

@@ -1,6 +1,6 @@
 # hard.sh - surfaces harder than those of the paper, and where the grid is too coarse for them.
 
-# hard_row ROLE: one line of the table, and the pictures for where.
+# hard_row ROLE: one row of the table.
 hard_row() {
 	pair "$1" "$(mesh "$1")" "$cells"
 	back "$1-lh" "$1-back"

@@ -1,6 +1,8 @@
-# maps.sh - Figures 1 to 5: the map, lambda and H on domain and surface, and the surface back.
+# maps.sh - Figures 1 to 5: the map, lambda and H on the domain and on the surface, and the
+# reconstructed surface.
 
-# painted ROLE WHAT CHANNEL NAME [OPTIONS]: a picture in colours; its ends in $w/NAME.ends.
+# painted ROLE WHAT CHANNEL NAME [OPTIONS]: a picture coloured by CHANNEL; the ends of its colour
+# bar go to $w/NAME.ends.
 painted() {
 	role=$1 surface=$2 channel=$3 name=$4
 	shift 4
@@ -10,7 +12,7 @@ painted() {
 low()  { cut -d' ' -f1 "$w/$1.ends"; }
 high() { cut -d' ' -f2 "$w/$1.ends"; }
 
-# both ROLE: the surface, and the one given back.
+# both ROLE: pictures of the surface and of its reconstruction.
 both() {
 	render --size=$side $(view "$1") "$w/$1-surface.png" "$w/$1.lhg"
 	render --size=$side $(view "$1") "$w/$1-again.png" "$w/$1-back.lhg"
@@ -30,7 +32,7 @@ maps() {
 	painted "$1" "$w/$1.lhg" H "$1-H-chart" --chart
 }
 
-# four ROLE NAME: original, lambda, H, from lambda and H; below it the domain.
+# four ROLE NAME: the original, lambda, H and the reconstruction; below them the domain.
 four() {
 	figure "$2" $side 4 \
 		"$w/$1-mesh.png" '(a) the mesh' '' '' \

@@ -1,7 +1,7 @@
 # morphs.sh - Figures 10 to 13: one surface becomes another; the distance from the start.
 
-# morph NAME A B VIEW FIGURE: the frames from A to B, six of them in a figure, and in
-# $w/NAME.hausdorff how far each is from the first surface.
+# morph NAME A B VIEW FIGURE: the frames from A to B, six of them in a figure; the distance of
+# each from the first surface goes to $w/NAME.hausdorff.
 morph() {
 	m=$1 a=$2 b=$3
 	pair "$m-start" "$(mesh "$a")" "$rows" $(chart "$a")
@@ -31,14 +31,14 @@ morph_row() {
 	figure "$into" $side 3 "$@"
 }
 
-# largest_step FILE: where the distance changes most from a frame to the next: far more than
-# elsewhere where the solver goes over to another surface of nearly the same lambda and H.
+# largest_step FILE: the frame to which the distance changes most.  The change is far above the
+# mean where the solver jumps to another surface of nearly the same lambda and H.
 largest_step() {
 	awk '{ for (i = 2; i <= NF; i++) { d = $i - $(i-1); if (d < 0) d = -d; if (d > most) { most = d; at = i } }
 	       printf "The largest step of the distance is %.3g %%, to frame %d, the mean step %.3g %%.", most, at, ($NF - $1)/(NF - 1) }' "$1"
 }
 
-# morph_said NAME A B VIEW FIGURE: the words of the report.
+# morph_said NAME A B VIEW FIGURE: the text of the report.
 morph_said() {
 	start=$(column "$1" max_rel 100 | cut -d' ' -f1)
 	end=$(column "$1-end" max_rel 100 | awk '{ print $NF }')

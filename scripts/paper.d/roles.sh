@@ -68,7 +68,7 @@ title() {
 	esac
 }
 
-# view ROLE: the options of render.py that show it best.
+# view ROLE: the options of render.py for its best view.
 view() {
 	case $real-$1 in
 	yes-man)    echo --from=-0.45,-0.1,1 --up=0.03,1,0 ;;
@@ -85,7 +85,8 @@ view() {
 	esac
 }
 
-# chart ROLE: options of mesh2rect: the faces upright on the rectangle, the Buddha's normals out.
+# chart ROLE: options of mesh2rect: the faces upright on the rectangle, the normals of the Buddha
+# outward.
 chart() {
 	case $real-$1 in
 	yes-man)    echo '-c -66,-34,-888;21,-42,-811;29,90,-830;-70,100,-877' ;;
@@ -94,5 +95,5 @@ chart() {
 	esac
 }
 
-# turned ROLE: the same where --like chooses the corners.
+# turned ROLE: the same without the corners, which --like chooses.
 turned() { [ "$real-$1" != yes-buddha ] || echo --flip; }

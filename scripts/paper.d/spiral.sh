@@ -1,6 +1,6 @@
 # spiral.sh - Figures 8 and 9: a spiral becomes part of a Moebius strip.
 
-# crossing STREAM: the numbers of pairs of faces that cross, and what these frames are.
+# crossing STREAM: for each frame, the number of pairs of faces that cross, in $w/STREAM.self.
 crossing() {
 	diffs "$1" "$1" --no-hausdorff
 	column "$1" self_intersections_a >"$w/$1.self"

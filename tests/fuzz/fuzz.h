@@ -8,7 +8,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 
-/* Abort with the message what, unless ok. */
+/* Aborts with the message `what` unless ok. */
 void fuzz_need(int ok, const char *what);
 
 /* Bytes that format/ and lib/ have allocated now, and their maximum since fuzz_mark.  The linker wraps
@@ -23,7 +23,7 @@ void   fuzz_mark(void);
  * line and nothing to free; most bounds the memory of reading. */
 void fuzz_mesh(const uint8_t *data, size_t n, size_t most);
 
-/* 16 bytes for each of n, and a constant: meshfile.h. */
+/* Bound of memory for n bytes: 16 each, and a constant (meshfile.h). */
 size_t fuzz_meshbound(size_t n);
 
 #endif

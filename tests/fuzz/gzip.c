@@ -15,8 +15,8 @@ crc32(uLong crc, const Bytef *p, uInt n)
 	return 0;
 }
 
-/* 16 bytes for each byte unpacked, and the buffer of these, which grows by doubling from four times
- * the packed size. */
+/* 16 bytes for each unpacked byte, and the buffer for these, which grows by doubling from four
+ * times the packed size. */
 static size_t
 bound(size_t n, size_t unpacked)
 {
@@ -36,7 +36,7 @@ LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 	fuzz_mark();
 	if (gunzip((char *)p, n, (size_t)1 << 32, &out, &unpacked, err) == 0)
 		free(out);
-	else    /* the size before the damage is not known: the bound of the buffer */
+	else    /* the unpacked size before the damage is unknown: use the bound of the buffer */
 		unpacked = 1100*n + 4096;
 	fuzz_mesh(p, n, bound(n, unpacked));
 	free(p);

@@ -39,7 +39,7 @@ refused(const LhgStream *s, const Lhg *g)
 		fuzz_need(*p >= 0x20 && *p < 0x7f, "a message is not one printable line");
 }
 
-/* All grids of in, each written to out.  Returns the last code of lhg_read. */
+/* Writes every grid of in to out.  Returns the last code of lhg_read. */
 static int
 copy(FILE *in, FILE *out)
 {

@@ -47,7 +47,7 @@ __wrap_realloc(void *p, size_t n)
 	if (!q)
 		return NULL;
 	if (n <= old)
-		live -= old;            /* it shrinks where it is */
+		live -= old;            /* a block that shrinks stays in place */
 	took(q);
 	if (n > old)
 		live -= old;

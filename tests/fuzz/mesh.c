@@ -10,7 +10,7 @@
 
 typedef int Parse(Soup *s, const void *bytes, size_t n, size_t most);
 
-static const size_t MOST = (size_t)1 << 32;      /* that gzip data may unpack to */
+static const size_t MOST = (size_t)1 << 32;      /* largest size that gzip data may unpack to */
 
 size_t
 fuzz_meshbound(size_t n)
@@ -50,14 +50,14 @@ valid(const Soup *s)
 	fuzz_need(s->T >= 0 && isfinite(s->T), "T is neither 0 nor positive");
 }
 
-/* n doubles, also -0, bit by bit; n may be 0. */
+/* Equality of n doubles bit by bit, including -0; n may be 0. */
 static int
 samebits(const void *a, const void *b, size_t bytes)
 {
 	return bytes == 0 || memcmp(a, b, bytes) == 0;
 }
 
-/* Some formats give no (u,v) to a vertex of no face. */
+/* Some formats store no (u,v) for a vertex of no face. */
 static void
 same(const Soup *a, const Soup *b)
 {
@@ -74,7 +74,7 @@ same(const Soup *a, const Soup *b)
 		    "(u,v) do not come back");
 }
 
-/* Written in that format and read again. */
+/* Writes the soup in that format and reads it again. */
 static void
 comesback(const Soup *s, const MeshFormat *format, Parse *parse)
 {
@@ -104,7 +104,7 @@ apart(const Soup *s, const MeshFormat *format)
 
 	e = meshfile_write(s, format, &p, &n);
 	if (e == MESH_EVALUE || e == MESH_EFACE)
-		return;                 /* beyond a float, or a polygon */
+		return;                 /* beyond the range of a float, or a polygon */
 	fuzz_need(e == 0, "an accepted mesh cannot be written");
 	fuzz_need(meshfile_parse(&again, p, n, MOST) == 0, "what was written is refused");
 	free(p);
@@ -116,8 +116,8 @@ apart(const Soup *s, const MeshFormat *format)
 	soup_free(&again);
 }
 
-/* Written in the format that i chooses, or else in the next that is written and, if s has (u,v),
- * carries them. */
+/* Writes in format i, or else in the next one that can be written and, if s has (u,v), holds
+ * them. */
 static void
 written(const Soup *s, size_t i, Parse *parse)
 {

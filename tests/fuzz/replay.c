@@ -15,7 +15,7 @@ file(const char *path, FILE *f)
 {
 	static uint8_t bytes[1 << 22];
 	size_t n = fread(bytes, 1, sizeof bytes, f);
-	uint8_t *exact = malloc(n + !n);        /* for a sanitizer to see an access beyond */
+	uint8_t *exact = malloc(n + !n);        /* so that a sanitizer sees an access beyond the end */
 
 	fuzz_need(!ferror(f) && n < sizeof bytes && exact, path);
 	memcpy(exact, bytes, n);
