@@ -102,7 +102,7 @@ no_equations(const void *ctx, int i, int j, CellRows *r)
 }
 
 static void
-singular_is_said(void **state)
+singular_system_is_reported(void **state)
 {
 	static double x[NODES*FIELDS*RHS];
 	CellSystem s = RANDOM;
@@ -139,7 +139,7 @@ main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(adjoint),
 		cmocka_unit_test(gradient_vanishes),
-		cmocka_unit_test(singular_is_said),
+		cmocka_unit_test(singular_system_is_reported),
 		cmocka_unit_test(dissection_is_a_permutation),
 	};
 

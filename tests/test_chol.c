@@ -276,7 +276,7 @@ first_to_fail(const System *s, const int *order)
 /* Diagonals are made smaller, one after the other or all at once, until the matrix is indefinite.
  * */
 static void
-indefinite_is_found_where_it_shows(void **state)
+indefinite_matrix_is_reported_at_its_pivot(void **state)
 {
 	unsigned long long seed = 6;
 	int n, k, at, expected, found = 0;
@@ -306,7 +306,7 @@ indefinite_is_found_where_it_shows(void **state)
 }
 
 static void
-what_is_no_number_is_found(void **state)
+nan_is_reported(void **state)
 {
 	static const double bad[] = { NAN, INFINITY, -INFINITY, 0 };
 	unsigned long long seed = 7;
@@ -378,8 +378,8 @@ main(void)
 		cmocka_unit_test(large_fronts),
 		cmocka_unit_test(solved_again),
 		cmocka_unit_test(inverse_is_its_own_adjoint),
-		cmocka_unit_test(indefinite_is_found_where_it_shows),
-		cmocka_unit_test(what_is_no_number_is_found),
+		cmocka_unit_test(indefinite_matrix_is_reported_at_its_pivot),
+		cmocka_unit_test(nan_is_reported),
 		cmocka_unit_test(same_bits_for_any_threads),
 	};
 

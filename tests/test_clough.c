@@ -300,7 +300,7 @@ smooth_inside(void **state)
 /* On degenerate input, neighbours have the same cubic on their common side, and no point leaves
  * its flat triangle by more than half the longest side.  The limit is needed for this. */
 static void
-rubbish_is_continuous_and_bounded(void **state)
+degenerate_input_is_continuous_and_bounded(void **state)
 {
 	double b[3], p[3], q[3], r[3];
 	uint64_t seed = 8;
@@ -470,7 +470,7 @@ main(void)
 		cmocka_unit_test(exact_at_vertices),
 		cmocka_unit_test(smooth_over_sides),
 		cmocka_unit_test(smooth_inside),
-		cmocka_unit_test(rubbish_is_continuous_and_bounded),
+		cmocka_unit_test(degenerate_input_is_continuous_and_bounded),
 		cmocka_unit_test(bounded_for_any_jets),
 		cmocka_unit_test(orders),
 		cmocka_unit_test(follows_motion_and_scale),

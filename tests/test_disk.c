@@ -1,5 +1,5 @@
-/* test_disk.c - disk.h: accepted, repaired and refused soups, with the reason; literal soups and the
- * real meshes. */
+/* test_disk.c - disk.h: soups accepted, repaired or refused with the reason; soups written here
+ * and the real meshes. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,10 +14,10 @@
 #include "../lib/mesh/disk.h"
 #include "../lib/meshfile/meshfile.h"
 
-/* The definition of a disk, checked without the code under test: every half-edge occurs once, an edge
- * has at most two faces, in opposite directions, V - E + F = 1, and the loop consists of all
+/* Checks the definition of a disk without the code under test: every half-edge occurs once; an
+ * edge has at most two faces, in opposite directions; V - E + F = 1; the loop consists of all
  * half-edges without an opposite, is closed and begins at its lowest vertex.  A connected surface
- * with one loop and Euler's number 1 is a disk. */
+ * with one boundary loop and Euler characteristic 1 is a disk. */
 static int
 find(const Mesh *m, int a, int b)
 {
@@ -112,18 +112,18 @@ disks(void **state)
 	(void)state;
 	takes(SQUARE "f 1 2 3\n", 3, 1, 3, "1 unreferenced vertex dropped");
 	d = good("v 9 9 9\n" SQUARE "v 8 8 8\nf 4 5 2\nf 2 3 4\n", 4, 2, 4, "2 unreferenced vertices dropped");
-	assert_true(d.m.xyz[0] == 0 && d.m.xyz[3] == 1 && d.m.xyz[10] == 1);    /* file's order */
+	assert_true(d.m.xyz[0] == 0 && d.m.xyz[3] == 1 && d.m.xyz[10] == 1);    /* in the order of the file */
 	assert_true(d.loop[0] == 0 && d.loop[1] == 1 && d.loop[3] == 3);        /* counterclockwise */
 	assert_true(fabs(mesh_area(&d.m) - 1) < 1e-15);
 	disk_free(&d);
 	takes(TETRA "f 1 3 2\nf 1 2 4\nf 2 3 4\n", 4, 3, 3, "");
 	takes("v 0 0 0\nv 1e-140 0 0\nv 0 1e-140 0\nf 1 2 3\n", 3, 1, 3, "");
 	takes("v 0 0 0\nv 1e140 0 0\nv 0 1e140 0\nf 1 2 3\n", 3, 1, 3, "");
-	takes("v 0 0 0\nv 1 0 0\nv .5 5e-8 0\nf 1 2 3\n", 3, 1, 3, "");         /* a sliver is a face */
+	takes("v 0 0 0\nv 1 0 0\nv .5 5e-8 0\nf 1 2 3\n", 3, 1, 3, "");         /* a sliver is a valid face */
 }
 
-/* The area checks that a split covers the polygon once: an inverted or overlapping triangle would make
- * it larger. */
+/* The sum of the areas shows that a split covers the polygon once: an inverted or overlapping
+ * triangle would make it larger. */
 static void
 splits(const char *text, int nf, double area)
 {
@@ -133,7 +133,7 @@ splits(const char *text, int nf, double area)
 	if (!(fabs(mesh_area(&d.m) - area) < 1e-14 * area))
 		fail_msg("'%s': area %g, not %g", text, mesh_area(&d.m), area);
 	for (i = 0; i < nf + 2; i++)
-		assert_int_equal(d.loop[i], i);         /* oriented as the face */
+		assert_int_equal(d.loop[i], i);         /* oriented as the polygon */
 	disk_free(&d);
 }
 
@@ -171,7 +171,7 @@ polygons(void **state)
 	refuses("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n", MESH_EFACE,  /* a bow tie */
 	    "face 0, of 4 corners, cannot be split into triangles of some area");
 	refuses("v 2102 1 0\nv -2 0 0\nv -1 -1 0\nv 0 -2 0\nv 1 -1 0\nf 2 3 4\n", MESH_EFACE,
-	    "face 0 has no area");              /* .. nor a triangle of a polygon, found by fuzzing */
+	    "face 0 has no area");              /* nor a triangle split off a polygon, found by fuzzing */
 	d = good("v 2102 1 0\nv -2 0 0\nv -1 -1 0\nv 0 -2 0\nv 1 -1 0\nf 1 2 3 4 5\n", 5, 3, 5, "");
 	for (f = 0; f < 3; f++)
 		assert_false(d.m.tri[3*f] + d.m.tri[3*f+1] + d.m.tri[3*f+2] == 6 && d.m.tri[3*f] > 0 &&
@@ -192,7 +192,7 @@ repairs(void **state)
 	    "1 unreferenced vertex dropped; 6 vertices of a soup welded to 4");
 	takes(SQUARE "f 1 2 3\nf 4 3 1\n", 4, 2, 4, "1 of 2 faces were turned to agree with the rest");
 	d = good(TETRA "f 1 2 3\nf 1 2 4\nf 2 3 4\n", 4, 3, 3, "1 of 3 faces were turned to agree with the rest");
-	assert_int_equal(d.m.tri[1], 2);        /* the first, though CGAL starts there */
+	assert_int_equal(d.m.tri[1], 2);        /* the first face, though CGAL begins at this one */
 	disk_free(&d);
 }
 
@@ -205,12 +205,12 @@ refusals(void **state)
 	refuses("v 0 0 0\n", MESH_EDISK, "no faces");
 	refuses(TETRA "v 9 9 9\nf 1 2 3\nf 2 1 4\nf 1 2 5\n", MESH_EMANIFOLD, "edge 0-1 belongs to 3 faces");
 	refuses("v 9 9 9\n" TETRA "v 0 -1 -1\nf 2 3 4\nf 3 2 5\nf 2 3 6\n", MESH_EMANIFOLD,
-	    "edge 1-2 belongs to 3 faces");     /* the file's numbers, though one was dropped */
+	    "edge 1-2 belongs to 3 faces");     /* numbers of the file, though one face was dropped */
 	refuses(TETRA "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n", MESH_EDISK, "closed surface: no boundary");
 	refuses(SQUARE "v 5 0 0\nv 6 0 0\nv 6 1 0\nf 1 2 3\nf 1 3 4\nf 5 6 7\n", MESH_EDISK,
 	    "2 components, a disk is one");
 	refuses(SQUARE "v 5 0 0\nv 6 0 0\nv 6 1 0\nf 1 2 3\nf 5 6 7\n", MESH_EDISK,
-	    "2 components, a disk is one");     /* a soup, but no positions are equal */
+	    "2 components, a disk is one");     /* a soup without equal positions */
 	refuses("v 0 0 0\nv 1 0 0\nv 1 1 0\nv -1 0 0\nv -1 -1 0\nf 1 2 3\nf 1 4 5\n", MESH_EMANIFOLD,
 	    "vertex 0 is pinched: 2 fans of faces meet there");
 	refuses("v 0 0 0\nv 1 0 0\nv 1 1 0\nv -1 0 0\nv -1 -1 0\nv 0 1 1\nv 0 2 1\nf 1 2 3\nf 1 4 5\nf 1 6 7\n",
@@ -218,11 +218,11 @@ refusals(void **state)
 	refuses("v 0 0 0\nv 3 0 0\nv 0 3 0\nv 1 1 0\nv 1.5 1 0\nv 1 1.5 0\n"
 	    "f 1 2 5 4\nf 2 3 6 5\nf 3 1 4 6\n", MESH_EDISK,
 	    "2 boundary loops, a disk has one: at vertices 0, 3");
-	refuses(STRIP "f 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n", MESH_EORIENT,    /* Moebius' strip of five triangles */
+	refuses(STRIP "f 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n", MESH_EORIENT,    /* a Moebius strip of five triangles */
 	    "surface is one-sided: no orientation agrees across edge");
 }
 
-/* A torus of 4 x 4 quads with one left out: one loop, chi = -1. */
+/* A torus of 4 x 4 quads without one: a single loop, chi = -1. */
 static void
 handles(void **state)
 {
@@ -242,7 +242,7 @@ handles(void **state)
 	refuses(text, MESH_EDISK, "genus 1: a disk has no handles");
 }
 
-/* Soups that a file reader would refuse. */
+/* Soups that a file reader refuses to produce. */
 static void
 raw_soups(void **state)
 {
@@ -264,10 +264,10 @@ raw_soups(void **state)
 	xyz[4] = 0;
 	assert_int_equal(disk_from_soup(&d, &s), 0);
 	disk_free(&d);
-	disk_free(&d);          /* allowed twice */
+	disk_free(&d);          /* twice is allowed */
 }
 
-/* A grid of n x n squares in random order, with random faces turned, is repaired. */
+/* A grid of n x n squares in random order, with random faces flipped, is repaired. */
 static void
 shuffled(void **state)
 {
@@ -325,8 +325,8 @@ stl_welds(void **state)
 	disk_free(&back);
 }
 
-/* A vertex of the disk has the position of the vertex of the soup with its number, and of all that were
- * welded to it; its number is the lowest of these. */
+/* Each vertex of the disk has the position of its vertex of the soup and of all vertices welded
+ * to it, of which its number is the lowest. */
 static void
 traces(const Disk *d, const Soup *s)
 {
@@ -393,7 +393,7 @@ flips(void **state)
 	assert_memory_equal(d.loop, loop, sizeof loop);
 	disk_free(&d);
 	d = good("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", 3, 1, 3, "");
-	disk_flip(&d);                          /* an odd loop */
+	disk_flip(&d);                          /* a loop of odd length */
 	isdisk(&d);
 	disk_free(&d);
 }
@@ -444,7 +444,7 @@ slurp(const char *name, size_t *n)
 	return p;
 }
 
-/* Reads a file and makes a disk of it; why gets the reason or the note. */
+/* Reads a file and makes a disk of it; `why` gets the reason or the note. */
 static int
 real(const char *name, Disk *d, char why[MESH_ERRLEN])
 {
@@ -471,7 +471,7 @@ real(const char *name, Disk *d, char why[MESH_ERRLEN])
 	return e;
 }
 
-/* V, F and B as two other programs counted them (MANIFEST.md of the folder). */
+/* V, F and B as counted by two other programs (MANIFEST.md of the folder). */
 static void
 real_disks(void **state)
 {

@@ -37,7 +37,7 @@ move(Mesh *m, double x, double y, double z)
 	}
 }
 
-/* Hausdorff distance, both ways round. */
+/* The symmetric Hausdorff distance. */
 static double
 hausdorff(const Mesh *a, const Mesh *b, double error)
 {
@@ -58,7 +58,7 @@ crossings(const Mesh *m)
 	return pairs;
 }
 
-/* A grid of nu x nv nodes over [0,3] x [0,2], of height f. */
+/* A grid of nu x nv nodes over [0,3] x [0,2], with height f. */
 static Mesh
 grid(int nu, int nv, double (*f)(double x, double y))
 {
@@ -107,8 +107,8 @@ same_surface_is_at_zero(void **state)
 	mesh_free(&b);
 }
 
-/* Another triangulation of the same plane is the same surface.  CGAL is slow here if error is small, see
- * distance.h. */
+/* Another triangulation of the same plane has distance 0.  CGAL is slow here for small error
+ * bounds, see distance.h. */
 static void
 triangulation_does_not_matter(void **state)
 {
@@ -120,7 +120,7 @@ triangulation_does_not_matter(void **state)
 	mesh_free(&b);
 }
 
-/* A plane that is moved, along its normal or in itself, has the distance of the move. */
+/* A plane moved along its normal or in itself has the distance of the move. */
 static void
 moved_plane(void **state)
 {
@@ -135,10 +135,10 @@ moved_plane(void **state)
 	mesh_free(&b);
 }
 
-/* A small square in the middle of a large one: the distance from the small to the large one is 0, the
- * other is that of the corners.  Only the symmetric distance includes it. */
+/* A small square in the middle of a large one: from the small to the large one the distance is 0,
+ * back it is that of the corners.  Only the symmetric distance includes it. */
 static void
-both_ways_count(void **state)
+hausdorff_distance_is_symmetric(void **state)
 {
 	Mesh a = make("rectangle", "a", 1, 300, 1), b = make("rectangle", "a", 4, 900, 2);
 
@@ -148,7 +148,8 @@ both_ways_count(void **state)
 	mesh_free(&b);
 }
 
-/* The farthest point may be inside a face: a triangle, and a pyramid over it with the same corners. */
+/* The farthest point may be inside a face: a triangle against a pyramid over it with the same
+ * corners. */
 static void
 inside_of_a_face(void **state)
 {
@@ -161,7 +162,7 @@ inside_of_a_face(void **state)
 	assert_true(fabs(hausdorff(&a, &b, 1e-5) - 0.5) <= 1e-5);
 }
 
-/* Caps of the same opening about one centre: 0.1 apart but for the facets. */
+/* Concentric caps of the same opening angle: 0.1 apart, up to the facets. */
 static void
 concentric_spheres(void **state)
 {
@@ -183,7 +184,7 @@ vertices_by_number(void **state)
 	move(&b, 3, 0, 4);
 	distance_vertices(&a, &b, &max, &mean);
 	assert_true(fabs(max - 5) < 1e-12 && fabs(mean - 5) < 1e-12);
-	b.xyz[3*7] += 12;       /* vertex 7 is now (15, 0, 4) away */
+	b.xyz[3*7] += 12;       /* vertex 7 is moved to a distance of (15, 0, 4) */
 	distance_vertices(&a, &b, &max, &mean);
 	assert_true(fabs(max - sqrt(241)) < 1e-12);
 	assert_true(fabs(mean - (19*5 + sqrt(241))/20) < 1e-12);
@@ -203,8 +204,8 @@ smooth_disks_do_not_cross(void **state)
 	mesh_free(&b);
 }
 
-/* Two squares, of two faces each, that cross along a line: in the first case through the
- * diagonal of both, where each face meets each; in the second far from each other. */
+/* Two squares of two faces each that cross along a line: in the first case through the diagonals
+ * of both, so that each face crosses each; in the second far from the diagonals. */
 static void
 crossing_squares(void **state)
 {
@@ -228,12 +229,12 @@ folded_face_crosses(void **state)
 
 	(void)state;
 	assert_int_equal(crossings(&a), 0);
-	a.xyz[3*(3*9 + 4)] += 1;        /* over its neighbours, in the same plane */
+	a.xyz[3*(3*9 + 4)] += 1;        /* folded onto its neighbours, in the same plane */
 	assert_true(crossings(&a) > 0);
 	mesh_free(&a);
 }
 
-/* Faces without area are no error for either. */
+/* Faces without area are left out, without an error. */
 static void
 faces_of_no_area_are_left_out(void **state)
 {
@@ -261,7 +262,7 @@ edge_of_three_faces(void **state)
 	assert_int_equal(distance_crossings(&m, &pairs), DISTANCE_EEDGE);
 }
 
-/* Numbering, count and area of faces, and their normals along phi_u x phi_v. */
+/* Numbering, number and area of the faces; their normals point along phi_u x phi_v. */
 static void
 grid_mesh(void **state)
 {
@@ -303,7 +304,7 @@ grid_mesh_takes_the_shorter_diagonal(void **state)
 		sub3(m.xyz + 3*(p+1), m.xyz + 3*(p+nu), d);
 		bd = norm3(d);
 		for (cut = i = 0, t = m.tri + 3*f; i < 6; i++)
-			cut += t[i] == p;       /* node a is in both faces if ac is the cut */
+			cut += t[i] == p;       /* node a is in both faces if the cut is ac */
 		assert_int_equal(cut, ac <= bd ? 2 : 1);
 	}
 	mesh_free(&m);
@@ -316,7 +317,7 @@ main(void)
 		cmocka_unit_test(same_surface_is_at_zero),
 		cmocka_unit_test(triangulation_does_not_matter),
 		cmocka_unit_test(moved_plane),
-		cmocka_unit_test(both_ways_count),
+		cmocka_unit_test(hausdorff_distance_is_symmetric),
 		cmocka_unit_test(inside_of_a_face),
 		cmocka_unit_test(concentric_spheres),
 		cmocka_unit_test(vertices_by_number),

@@ -18,7 +18,8 @@ in_band(Chart g, int p)
 	return i < FRAME_BAND || j < FRAME_BAND || i >= g.nu - FRAME_BAND || j >= g.nv - FRAME_BAND;
 }
 
-/* Reconstructs from lambda, H and the band alone; the largest distance to the truth. */
+/* Reconstructs from lambda, H and the band only; returns the largest distance to the exact
+ * surface. */
 static double
 reconstruct(Chart g)
 {
@@ -90,7 +91,7 @@ free_of_the_unit_of_length(void **state)
 	assert_true(fabs(from_truth(enneper, COARSE, 1e-4)*1e4 - one) < 1e-9);
 }
 
-/* The sign of H turns the surface: a wrong one must not go unnoticed. */
+/* The sign of H decides the side to which the surface bends: a wrong sign must show. */
 static void
 sign_of_H_matters(void **state)
 {
@@ -103,8 +104,8 @@ sign_of_H_matters(void **state)
 	assert_true(reconstruct(COARSE) > 20*right);
 }
 
-/* Orthogonal, of length lambda, and no other such pair is nearer: not one turned a
- * little about any axis. */
+/* The pair is orthogonal, of length lambda, and nearest: rotating it a little about any axis
+ * brings it farther away. */
 static void
 nearest_conformal_pair(void **state)
 {

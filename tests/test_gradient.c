@@ -1,4 +1,4 @@
-/* test_gradient.c - gradient.h against polynomials, limits and its promises. */
+/* test_gradient.c - gradient.h: exact on polynomials, orders of convergence, and the limits. */
 #include "cmock.h"
 
 #ifdef _OPENMP
@@ -34,7 +34,7 @@ errors(const Charted *s, Surface *f, double su, double sv, double e[2])
 	}
 }
 
-/* Whatever the triangles, and the unit and aspect of u and v. */
+/* For any triangles, and any unit and aspect ratio of u and v. */
 static void
 cubics_are_exact(void **state)
 {
@@ -60,8 +60,8 @@ cubics_are_exact(void **state)
 	}
 }
 
-/* First derivatives converge with third order, second ones with second, in the worst
- * vertex, the boundary included. */
+/* At the worst vertex, including the boundary, first derivatives converge with third order,
+ * second ones with second. */
 static void
 orders(void **state)
 {
@@ -83,7 +83,7 @@ orders(void **state)
 	charted_free(&t);
 }
 
-/* Too few points for a cubic: the highest degree they carry. */
+/* With too few points for a cubic, the highest degree that they determine. */
 static void
 small_meshes(void **state)
 {
@@ -134,8 +134,8 @@ collinear_points(void **state)
 	charted_free(&s);
 }
 
-/* Three rows of points, not quite straight: nothing can be said of the third derivative
- * across them, and what their jitter seems to say must not spoil the others. */
+/* Three rows of points, not quite straight: they do not determine the third derivative across,
+ * and its noise must not spoil the other derivatives. */
 static void
 thin_strip(void **state)
 {
@@ -164,8 +164,8 @@ thin_strip(void **state)
 	charted_free(&s);
 }
 
-/* The limits of the header, on rubbish; that they are needed there, and that what has to be
- * scaled is not simply dropped. */
+/* On degenerate input the limits of the header hold and are needed; derivatives beyond them are
+ * scaled, not set to 0. */
 static void
 limits_hold(void **state)
 {
@@ -200,7 +200,7 @@ limits_hold(void **state)
 	}
 }
 
-/* z -> z^2, a conformal map at a corner: not limited anywhere, and exact. */
+/* z -> z^2, a conformal map at a corner: exact, and nowhere limited. */
 static void
 square(double u, double v, double phi[3], Jet *j)
 {
@@ -208,9 +208,9 @@ square(double u, double v, double phi[3], Jet *j)
 	*j = (Jet){ { 2*u, 2*v, 0 }, { -2*v, 2*u, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { -2, 0, 0 } };
 }
 
-/* Neither there nor on surfaces with few triangles is anything limited. */
+/* Nothing is limited there, nor on surfaces of few triangles. */
 static void
-limits_rest_on_smooth_surfaces(void **state)
+smooth_surfaces_are_not_limited(void **state)
 {
 	static const char *const kind[] = { "cap", "mercator", "cylinder", "catenoid", "torus", "enneper" };
 	Charted s = charted_even(300);
@@ -265,9 +265,9 @@ follows_motion_and_scale(void **state)
 	charted_free(&t);
 }
 
-/* A hub of very many triangles, a vertex of no triangle. */
+/* A vertex of very many triangles, and one of none. */
 static void
-hub(void **state)
+vertex_of_many_triangles(void **state)
 {
 	enum { N = 20000 };
 	Charted s = charted_random(N + 2, 1);
@@ -329,9 +329,9 @@ main(void)
 		cmocka_unit_test(collinear_points),
 		cmocka_unit_test(thin_strip),
 		cmocka_unit_test(limits_hold),
-		cmocka_unit_test(limits_rest_on_smooth_surfaces),
+		cmocka_unit_test(smooth_surfaces_are_not_limited),
 		cmocka_unit_test(follows_motion_and_scale),
-		cmocka_unit_test(hub),
+		cmocka_unit_test(vertex_of_many_triangles),
 		cmocka_unit_test(same_for_any_number_of_threads),
 	};
 

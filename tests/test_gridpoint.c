@@ -1,5 +1,5 @@
-/* test_gridpoint.c - gridpoint.h: what polynomials, smooth surfaces and rough data
- * must give between the nodes, and which (u,v) are refused. */
+/* test_gridpoint.c - gridpoint.h: polynomials, smooth surfaces and rough data between the nodes;
+ * (u,v) that are refused. */
 #include "cmock.h"
 
 #include <math.h>
@@ -33,7 +33,7 @@ drop(double *phi[3])
 		free(phi[c]);
 }
 
-/* The largest error over n x m places, the border among them. */
+/* The largest error at n x m places, including the border. */
 static double
 worst(Chart g, Function *f, int n, int m)
 {
@@ -76,7 +76,7 @@ smooth(double u, double v, int c)
 	return c == 0 ? sin(4*u + v) : c == 1 ? exp(u)*cos(3*v) : 1/(1 + u + 2*v*v);
 }
 
-/* White noise of the node number. */
+/* White noise, a function of the node number. */
 static double
 rough(double u, double v, int c)
 {
@@ -109,7 +109,7 @@ nodes_are_kept(void **state)
 	assert_true(worst(g, smooth, g.nu - 1, g.nv - 1) < 1e-14);
 }
 
-/* The border is as good as the inside: the order is that of the largest error. */
+/* The border is as accurate as the inside: the order is that of the largest error. */
 static void
 fourth_order(void **state)
 {
@@ -122,7 +122,7 @@ fourth_order(void **state)
 	assert_true(e[0] < 1e-3 && e[0]/e[1] > 13 && e[1]/e[2] > 14);
 }
 
-/* On data without any smoothness the slopes from both sides of a node line agree. */
+/* Even for rough data the slopes from both sides of a node line agree. */
 static void
 slopes_agree(void **state)
 {
@@ -144,7 +144,7 @@ slopes_agree(void **state)
 	drop(phi);
 }
 
-/* The vertices of a mesh of four at their (u,v), T known or 0. */
+/* The vertices of a mesh of four vertices, from their (u,v); T is known or 0. */
 static int
 moved(Chart g, const double *const phi[3], double T, const double uv[8], double x[12], double to[8], int *at)
 {
@@ -181,12 +181,12 @@ meshes_are_moved(void **state)
 	assert_int_equal(moved(g, phi, 2, uv, x, to, &at), 0);
 	gridpoint(g, 3, phi, 0.5, 0.5, want);
 	assert_true(to[7] == 0.5 && x[9] == want[0]);
-	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);     /* units of the grid */
+	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);     /* (u,v) in units of the grid */
 	assert_int_equal(at, 3);
 	uv[7] = 0.5, uv[4] = 1.00001;
 	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);
 	assert_int_equal(at, 2);
-	uv[4] = -1;                     /* one of the two is not enough */
+	uv[4] = -1;                     /* one of the two is missing */
 	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);
 	uv[4] = NAN;
 	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);

@@ -69,7 +69,7 @@ scales_with_the_surface(void **state)
 
 /* Rotated about (1,2,2)/3 by 1 radian and moved. */
 static void
-does_not_see_motions(void **state)
+motions_change_nothing(void **state)
 {
 	const double a[3] = { 1/3.0, 2/3.0, 2/3.0 }, c = cos(1), s = sin(1);
 	int p;
@@ -90,7 +90,7 @@ does_not_see_motions(void **state)
 	assert_true(largest(COARSE.nu*COARSE.nv, H, H0) < 1e-8);
 }
 
-/* On a conformal grid the Laplacian has no tangential part; on a sheared one it has. */
+/* The Laplacian has no tangential part on a conformal grid, and has one on a sheared grid. */
 static void
 magnitude_agrees_where_conformal(void **state)
 {
@@ -125,7 +125,7 @@ beltrami_of_a_shear(void **state)
 		assert_true(mu[p] < 1e-4);
 }
 
-/* A surface of which 5 x 5 nodes collapse to a point keeps lambda > 0 and H finite. */
+/* A surface of which 5 x 5 nodes collapse to a point still has lambda > 0 and finite H. */
 static void
 collapsed_nodes_are_counted(void **state)
 {
@@ -141,13 +141,13 @@ collapsed_nodes_are_counted(void **state)
 		}
 	flaws = lambdah(COARSE, cphi, LAMBDAH_NORMAL, lambda, H);
 	assert_int_equal(flaws.raised, 9);
-	assert_int_equal(flaws.parallel, 12);           /* phi_u or phi_v is 0 along its sides */
+	assert_int_equal(flaws.parallel, 12);           /* phi_u or phi_v is 0 along the sides of the collapsed square */
 	for (p = 0; p < COARSE.nu*COARSE.nv; p++)
 		assert_true(lambda[p] > 0 && isfinite(H[p]));
 }
 
-/* Where u = 10 the plane folds into a line that is along no axis: phi_u and phi_v are parallel
- * but for rounding. */
+/* At column 10 the plane is folded onto a line along no axis: there phi_u and phi_v are parallel,
+ * up to rounding. */
 static void
 parallel_tangents_are_counted(void **state)
 {
@@ -176,7 +176,7 @@ main(void)
 		cmocka_unit_test(second_order),
 		cmocka_unit_test(exact_on_plane_and_signed_on_cylinder),
 		cmocka_unit_test(scales_with_the_surface),
-		cmocka_unit_test(does_not_see_motions),
+		cmocka_unit_test(motions_change_nothing),
 		cmocka_unit_test(magnitude_agrees_where_conformal),
 		cmocka_unit_test(beltrami_of_a_shear),
 		cmocka_unit_test(collapsed_nodes_are_counted),

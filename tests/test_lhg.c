@@ -1,5 +1,4 @@
-/* test_lhg.c - format/lhg.h: what is written is read again bit for bit, and nothing
- * else is read. */
+/* test_lhg.c - format/lhg.h: a grid is read back bit for bit; other input is refused. */
 #include <locale.h>
 #include <math.h>
 #include <sys/resource.h>
@@ -28,7 +27,7 @@ rnd(void)
 	return (unsigned)(seed >> 33);
 }
 
-/* A finite number of any size, also -0 and subnormal. */
+/* A finite number of any size, including -0 and subnormal numbers. */
 static double
 anynumber(void)
 {
@@ -113,11 +112,11 @@ set(int nu, int nv, int n)
 
 typedef struct Result {
 	int  code;              /* 0: a whole stream */
-	long grids;             /* that were passed on before */
+	long grids;             /* grids passed on before the failure */
 	char err[256];
 } Result;
 
-/* Read f to its end.  A failure leaves nothing in the grid and one clean line. */
+/* Reads f to its end.  After a failure the grid is empty, and the message is one clean line. */
 static Result
 drain(FILE *f)
 {
@@ -143,7 +142,7 @@ drain(FILE *f)
 	return r;
 }
 
-/* The same for bytes, which are used up. */
+/* The same for bytes, which are freed. */
 static Result
 scan(Bytes b)
 {
@@ -166,7 +165,7 @@ fails(Bytes b, int code, const char *message)
 	assert_int_equal(r.code, code);
 }
 
-/* ---- what is written is read again ----------------------------------- */
+/* ---- reading back what was written ----------------------------------- */
 
 static void
 roundtrip(void **state)
@@ -206,7 +205,7 @@ roundtrip(void **state)
 		}
 }
 
-/* Also larger than the blocks in which samples are read and memory grows. */
+/* Including a grid larger than the blocks in which samples are read and memory grows. */
 static void
 large(void **state)
 {
@@ -244,9 +243,9 @@ canonical(void **state)
 	free(b.p);
 }
 
-/* A grid made by hand from LHG.md, not by the writer. */
+/* A grid assembled from LHG.md, without the writer. */
 static void
-byhand(void **state)
+assembled_by_hand(void **state)
 {
 	static const double f[6] = { 1, -0.0, 0.1, 1e308, 5e-324, -3 };
 	const char *lines = "lhg 1\nsize 3 2\nheight 0.30000000000000004\nframe 1 1 00000000\nchannel x 1 grid\n";
@@ -294,7 +293,7 @@ locales(void **state)
 	}
 }
 
-/* ---- nothing else is read -------------------------------------------- */
+/* ---- other input is refused ------------------------------------------ */
 
 static void
 truncated(void **state)
@@ -309,7 +308,8 @@ truncated(void **state)
 	for (n = 0; n < all.n; n++) {
 		r = scan(part(all, 0, n));
 		assert_int_equal(r.code, n == 0 ? LHG_EMAGIC : n == a.n ? 0 : LHG_ESHORT);
-		/* Frame 1 passes alone, frame 2 only with nothing or all of a magic behind it. */
+		/* Frame 1 is accepted alone; frame 2 only if nothing or a complete first line
+		 * follows. */
 		assert_int_equal(r.grids, n < frame ? 0 : n != a.n && n < a.n + 6 ? 1 : 2);
 	}
 	assert_int_equal(scan(all).grids, 3);
@@ -378,7 +378,7 @@ frames(void **state)
 	free(a.p), free(other.p), free(f1.p), free(f2.p), free(f3.p), free(o2.p);
 }
 
-/* Blocks and headers in another place than the writer's. */
+/* Blocks and headers in a different order, missing or doubled. */
 static void
 parts(void **state)
 {
@@ -394,7 +394,7 @@ parts(void **state)
 	fails(glue(part(b, 0, at), part(b, at + 192, b.n)), LHG_ESHORT, "channel H ends after its samples");
 	fails(glue(part(b, 0, at), part(b, h, b.n)), LHG_EDATA, "channel H: CRC is wrong");
 	fails(glue(part(b, 0, b.n - 128), part(b, b.n - 64, b.n)), LHG_EDATA, "channel start.x: CRC is wrong");
-	a = set(4, 4, 1);                       /* same header, other samples */
+	a = set(4, 4, 1);                       /* same header, different samples */
 	assert_memory_equal(a.p, b.p, h);
 	fails(glue(part(b, 0, at), part(a, at, a.n)), LHG_EDATA, "channel H: CRC is wrong");
 	free(a.p);
@@ -515,7 +515,7 @@ badends(void **state)
 	(void)state;
 	for (n = 1; n <= 130; n++)
 		assert_int_equal(scan(gridof(headof(B, strlen(B), n), zero, 20)).code, LHG_EHEAD);
-	for (n = 0; n < sizeof B - 1; n++) {    /* a NUL in the place of any byte but of line 1 */
+	for (n = 0; n < sizeof B - 1; n++) {    /* a NUL in place of any byte except in line 1 */
 		b = headof(B, strlen(B), 0);
 		b.p[n] = '\0';
 		sprintf(b.p + b.n - 9, "%08lx", crc32(0, (Bytef *)b.p, (uInt)(b.n - 9)));
@@ -538,7 +538,7 @@ badends(void **state)
 	fails(b, LHG_EHEAD, "header has no end in its first 65536 bytes");
 }
 
-/* Lines and headers exactly as long as they may be, and one byte longer. */
+/* Lines and headers of the maximal length are accepted; one byte longer they are refused. */
 static void
 longheaders(void **state)
 {
@@ -557,7 +557,7 @@ longheaders(void **state)
 		n = (size_t)sprintf(h, "%s", B);
 		for (k = 0; n < line; k++)
 			n += (size_t)sprintf(h + n, "meta %05zu x\n", k);
-		n -= n - line < 13 ? 26 : 13;   /* room for a last line that fits */
+		n -= n - line < 13 ? 26 : 13;   /* room for the last line */
 		n += (size_t)sprintf(h + n, "meta z ");
 		memset(h + n, 'x', line - n - 1);
 		h[line - 1] = '\n';
@@ -599,7 +599,7 @@ badsamples(void **state)
 	}
 }
 
-/* A header that promises 64 channels of 8 GiB is refused in little memory. */
+/* A header that claims 64 channels of 8 GiB is refused without allocating them. */
 static void
 promises(void **state)
 {
@@ -624,9 +624,9 @@ promises(void **state)
 #endif
 }
 
-/* ---- what is not written --------------------------------------------- */
+/* ---- what the writer refuses ----------------------------------------- */
 
-/* lhg_write(g) gives code and not a byte; g is released. */
+/* lhg_write(g) returns code and writes no byte; g is freed. */
 static void
 unwritten(Lhg *g, int code)
 {
@@ -719,10 +719,10 @@ brokenfiles(void **state)
 	f = fmemopen(small, sizeof small, "wb");
 	lhg_open(&s, f);
 	assert_int_equal(lhg_write(&s, &g), LHG_EIO);
-	assert_memory_equal(s.err, "write: ", 7);       /* the system leaves no reason here */
+	assert_memory_equal(s.err, "write: ", 7);       /* the system gives no reason in this case */
 	fclose(f);
 	lhg_free(&g);
-	sample(&g, 3, 3, 1, 1);                 /* fits a buffer: flushing is what fails */
+	sample(&g, 3, 3, 1, 1);                 /* fits a buffer, so only flushing fails */
 	if ((f = fopen("/dev/full", "wb"))) {
 		lhg_open(&s, f);
 		assert_int_equal(lhg_write(&s, &g), LHG_EIO);
@@ -750,7 +750,7 @@ covers(int nu, int nv, int support, int step, int i, int j)
 	return 1;
 }
 
-/* gather and scatter against the definition, node by node in row order. */
+/* lhg_gather and lhg_scatter against the definition, node by node in row order. */
 static void
 checksupport(int nu, int nv, int support, int step)
 {
@@ -881,7 +881,7 @@ metadata(void **state)
 	lhg_free(&g);
 }
 
-/* Whatever lhg_note is given can be written and read. */
+/* Every text given to lhg_note can be written and read. */
 static void
 history(void **state)
 {
@@ -917,7 +917,7 @@ history(void **state)
 	lhg_free(&g);
 }
 
-/* Random bytes changed in a larger stream; also behind checks that are right again. */
+/* Random bytes changed in a larger stream, also with checksums made valid again. */
 static void
 noise(void **state)
 {
@@ -952,7 +952,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(roundtrip), cmocka_unit_test(large), cmocka_unit_test(canonical),
-		cmocka_unit_test(byhand), cmocka_unit_test(locales), cmocka_unit_test(truncated),
+		cmocka_unit_test(assembled_by_hand), cmocka_unit_test(locales), cmocka_unit_test(truncated),
 		cmocka_unit_test(changed), cmocka_unit_test(insertedordropped), cmocka_unit_test(frames),
 		cmocka_unit_test(parts), cmocka_unit_test(messages), cmocka_unit_test(badheaders),
 		cmocka_unit_test(badends), cmocka_unit_test(longheaders), cmocka_unit_test(manychannels),

@@ -17,7 +17,7 @@ enum { FILELEN = 300 };
 
 /* ---- good ------------------------------------------------------------ */
 
-/* A channel of some numbers: sample k of channel c in grid m is (k^2 - 7)/8 + 100 c + m. */
+/* A channel; sample k of channel c in grid m is (k^2 - 7)/8 + 100 c + m. */
 static void
 channel(Lhg *g, const char *name, const char *unit, int support, int step)
 {
@@ -111,7 +111,7 @@ channels(Lhg *g, int m)
 	}
 }
 
-/* Names, keys and texts of every length and character that is allowed. */
+/* Names, keys and texts of every allowed length and character. */
 static void
 texts(Lhg *g, int m)
 {
@@ -161,7 +161,7 @@ goodbytes(const struct Good *what)
 
 /* ---- bad ------------------------------------------------------------- */
 
-/* Each changes b, the three frames of sets, of which frame k begins at byte k n/3. */
+/* Each changes b, the three frames of `sets`, of which frame k begins at byte k n/3. */
 static void
 replace(Bytes *b, Bytes with)
 {
@@ -185,7 +185,7 @@ order(Bytes *b, const char *frames)
 	replace(b, all);
 }
 
-/* Where the samples of x begin in frame 1: 12 of them, then 10 of band.x. */
+/* The first byte of the samples of x in frame 1: 12 of them, then 10 of band.x. */
 enum { SAMPLES = 192, TAIL = SAMPLES + 8*12, BAND = SAMPLES + 128, END = BAND + 128 };
 
 static void cutmagic(Bytes *b) { b->n = 3; }
@@ -213,7 +213,7 @@ static void inserted(Bytes *b) { replace(b, glue(glue(part(*b, 0, SAMPLES), text
 static void unaligned(Bytes *b) { replace(b, glue(text("lhg 1\nend\n"), part(*b, 0, b->n))); }
 static void headerof(Bytes *b, const char *lines) { replace(b, headof(lines, strlen(lines), 0)); }
 
-/* A first block that is whole, of another grid with the same header. */
+/* A complete first block of another grid with the same header. */
 static void
 otherblock(Bytes *b)
 {
@@ -231,7 +231,7 @@ othersets(Lhg *g, int m)
 	g->chan[1].f[0] = 0.5;
 }
 
-/* Frame 2 of another set with the same sizes, names and history. */
+/* Frame 2 of another set with equal sizes, names and history. */
 static void
 otherframe(Bytes *b)
 {
@@ -336,7 +336,7 @@ static void sampleinf(Bytes *b) { sample(b, -INFINITY); }
 #define MORE(s)    CHANNEL("channel x 1 grid\n") s
 #define S32        "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa"
 
-/* lines: a header whose CRC is right, before 20 samples of 0, their CRC and an end mark. */
+/* lines: a header with valid CRC, followed by 20 samples of 0, their CRC and an end mark. */
 static const struct Bad {
 	const char *name, *lines;
 	void (*damage)(Bytes *b);
@@ -485,7 +485,7 @@ badname(int i, char *path, const char *dir)
 	return path;
 }
 
-/* All of a file, of less than 8 KiB. */
+/* Reads a file of less than 8 KiB. */
 static Bytes
 slurp(const char *path)
 {
@@ -528,7 +528,7 @@ writeall(const char *dir)
 
 /* ---- tests ----------------------------------------------------------- */
 
-/* The code that ends the first n bytes of b, with the words for it in err. */
+/* The code of reading the first n bytes of b; err gets the message. */
 static int
 drain(Bytes b, size_t n, char err[256])
 {
@@ -565,9 +565,9 @@ same(const Lhg *a, const Lhg *b)
 	}
 }
 
-/* Read as what they are made of; and written again byte for byte. */
+/* Each sample is read as the grids it was made of, and written again byte for byte. */
 static void
-goodones(void **state)
+good_samples(void **state)
 {
 	char path[FILELEN];
 	Bytes b, again;
@@ -600,7 +600,7 @@ goodones(void **state)
 }
 
 static void
-badones(void **state)
+bad_samples(void **state)
 {
 	char path[FILELEN], err[256];
 	Bytes b, again;
@@ -619,7 +619,8 @@ badones(void **state)
 	}
 }
 
-/* Call each for every file of tests/lhg/good, also the commands' own; returns how many. */
+/* Calls each for every file of tests/lhg/good, including those of the commands; returns their
+ * number. */
 static int
 everygood(void (*each)(const char *path, Bytes b))
 {
@@ -665,7 +666,7 @@ copied(const char *path, Bytes b)
 	free(again.p);
 }
 
-/* Cut anywhere but behind a whole set, it is refused. */
+/* A sample cut anywhere except after a complete set is refused. */
 static void
 cut(const char *path, Bytes b)
 {
@@ -681,7 +682,7 @@ cut(const char *path, Bytes b)
 	assert_true(sets < sizeof height/sizeof *height);
 }
 
-/* Whatever the bit turned, in whatever byte, it is refused. */
+/* Flipping any bit of any byte makes the sample refused. */
 static void
 turned(const char *path, Bytes b)
 {
@@ -704,7 +705,7 @@ int
 main(int argc, char *argv[])
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(goodones), cmocka_unit_test(badones), cmocka_unit_test(allcopied),
+		cmocka_unit_test(good_samples), cmocka_unit_test(bad_samples), cmocka_unit_test(allcopied),
 		cmocka_unit_test(allcut), cmocka_unit_test(allturned)
 	};
 	int i;

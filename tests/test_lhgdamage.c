@@ -18,7 +18,7 @@ rnd(void)
 	return (uint32_t)(seed >> 33);
 }
 
-/* Smooth fields, as real ones are: their neighbours differ in few bits. */
+/* Smooth fields, as real ones are: neighbours differ in few bits. */
 static void
 field(Lhg *g, const char *name, int support, int step)
 {
@@ -57,7 +57,7 @@ stream(int nu, int nv, int frames)
 	return b;
 }
 
-/* What a reader knows where each frame begins. */
+/* The reader's state and the position in the file before each frame. */
 static void
 visit(FILE *f, LhgStream before[], long at[])
 {
@@ -81,8 +81,7 @@ typedef struct Change {
 	char was;
 } Change;
 
-/* Up to MOST bytes become others: anywhere, or side by side, or by one bit each.  Returns
- * how many. */
+/* Changes up to MOST bytes: scattered, adjacent, or by one bit each.  Returns their number. */
 static int
 change(Bytes b, Change c[MOST])
 {
@@ -99,7 +98,7 @@ change(Bytes b, Change c[MOST])
 	return n;
 }
 
-/* The lowest byte that is another than it was, or b.n; a byte may have been changed twice. */
+/* The lowest byte that differs, or b.n; a byte may have been changed twice, back to its value. */
 static size_t
 first(Bytes b, Bytes good, const Change *c, int n)
 {
@@ -157,7 +156,7 @@ manyframes(void **state)
 	free(good.p);
 }
 
-/* One grid of a MiB, read from its beginning: a thousandth as often. */
+/* A single grid of a MiB, read from its beginning; a thousandth of the changes. */
 static void
 onegrid(void **state)
 {
@@ -185,7 +184,7 @@ onegrid(void **state)
 	free(good.p);
 }
 
-/* LHG.md 8: up to 32 bits side by side, from every bit of a small stream on, in make check
+/* LHG.md 8: bursts of up to 32 adjacent bits, from every bit of a small stream; make check takes
  * every third. */
 static void
 bursts(void **state)
@@ -217,7 +216,8 @@ bursts(void **state)
 	free(b.p);
 }
 
-/* Cut after any byte; make check takes every 61st.  Small streams: test_lhgcorpus. */
+/* A stream cut after any byte; make check takes every 61st.  test_lhgcorpus cuts small streams.
+ * */
 static void
 cut(void **state)
 {

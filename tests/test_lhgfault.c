@@ -1,5 +1,5 @@
-/* test_lhgfault.c - format/lhg.h when the system fails: each allocation, read and write in
- * turn, signals while reading, and as little as a byte at a time. */
+/* test_lhgfault.c - format/lhg.h under system failures: each allocation, read and write fails in
+ * turn, signals interrupt reading, and transfers are as short as one byte. */
 #define _GNU_SOURCE             /* fopencookie */
 #include <errno.h>
 
@@ -8,8 +8,8 @@
 
 /* ---- memory ---------------------------------------------------------- */
 
-/* The linker sends the library's calls here (--wrap); left counts down to the one that
- * fails, 0 is none; held is how many blocks are not free yet. */
+/* The linker redirects the library's calls here (--wrap).  left counts down to the call that
+ * fails, 0 for none; held is the number of blocks not yet freed. */
 static long left, held;
 
 void *__real_malloc(size_t n);
@@ -64,7 +64,7 @@ __wrap_free(void *p)
 
 /* ---- streams --------------------------------------------------------- */
 
-/* A file whose turn-th call fails with code, and that gives at most `most` bytes a call. */
+/* A file whose turn-th call fails with code, and which transfers at most `most` bytes a call. */
 typedef struct Device {
 	Bytes  b;               /* reading: what there is; writing: what has come */
 	size_t at, most;
@@ -88,7 +88,7 @@ give(void *cookie, char *to, size_t n)
 	return (ssize_t)n;
 }
 
-/* Failure to write is 0 to fopencookie. */
+/* fopencookie expects 0 for a failed write. */
 static ssize_t
 take(void *cookie, const char *from, size_t n)
 {
@@ -116,7 +116,7 @@ device(Device *d, const char *mode, int buffered)
 	return f;
 }
 
-/* Frame m of a set of two, of n x n nodes. */
+/* Frame m of a set of two, with n x n nodes. */
 static void
 frame(Lhg *g, int n, int m)
 {
@@ -159,7 +159,7 @@ set(int n)
 	return b;
 }
 
-/* The code that ends f; a failure leaves nothing behind. */
+/* The last code of reading f; a failure leaves nothing allocated. */
 static int
 readset(FILE *f, char err[256])
 {
@@ -178,7 +178,7 @@ readset(FILE *f, char err[256])
 
 /* ---- tests ----------------------------------------------------------- */
 
-/* A size for which the room for samples grows, too. */
+/* A size for which the buffer of the samples grows. */
 static void
 readnomemory(void **state)
 {
@@ -206,7 +206,7 @@ readnomemory(void **state)
 	free(b.p);
 }
 
-/* Nothing has changed when there was no memory. */
+/* A failed allocation leaves the grid unchanged. */
 static void
 changenomemory(void **state)
 {
@@ -231,7 +231,7 @@ changenomemory(void **state)
 	assert_int_equal(held, before);
 }
 
-/* Read with call k failing; returns the number of calls that a whole reading takes. */
+/* Reads with call k failing; returns the number of calls of a complete reading. */
 static long
 readwith(Bytes b, size_t most, int code, int want, const char *message, int buffered)
 {
@@ -270,7 +270,7 @@ readfails(void **state)
 	free(b.p);
 }
 
-/* The same for writing: what has come is the stream, or there is no end mark. */
+/* The same for writing: the output is the complete stream, or has no end mark. */
 static long
 writewith(Bytes good, int code, const char *message, int buffered)
 {

@@ -11,7 +11,7 @@
 
 enum { NU = 19, NV = 13 };
 
-/* Closed curves in space without symmetry, run through unevenly. */
+/* Closed curves in space without symmetry, with uneven parameter speed. */
 static void
 curve(Border *b, int nu, int nv, double phase, double size)
 {
@@ -62,7 +62,7 @@ order(void **state)
 	assert_int_equal(matching_order(3, again), 2);
 }
 
-/* The place on b that has the share f of the arc length from q to q2 behind it. */
+/* The place on b at the share f of the arc length from q to q2. */
 static double
 by_share(const Border *b, double q, double q2, double f)
 {
@@ -85,7 +85,7 @@ static const double P[3][5] = { { 0.3, 1.25, 2.6, 3, 3.8 }, { 3.2, 0.1, 0.5, 1.9
 static const double Q[3][5] = { { 0, 1.5, 2, 2.9, 3.7 }, { 2.9, 3.9, 0.7, 2, 2.1 }, { 0.75 } };
 static const int COUNT[3] = { 5, 5, 1 };
 
-/* (34) and (20), point by point; at t = 0 and t = 1 the borders themselves. */
+/* (34) and (20), point by point; the borders themselves at t = 0 and t = 1. */
 static void
 shares_of_length(void **state)
 {
@@ -126,7 +126,7 @@ shares_of_length(void **state)
 	border_free(&b);
 }
 
-/* Pairs on either side of corner 0 move across it, not round the other way. */
+/* Landmarks on either side of corner 0 are matched across it, not the long way round. */
 static void
 across_the_corner(void **state)
 {
@@ -194,14 +194,14 @@ no_length(void **state)
 	assert_int_equal(matching_init(&m, &a, &b, 3, p, q, &at), MATCHING_ELENGTH);
 	assert_int_equal(at, 1);
 	assert_int_equal(matching_init(&m, &b, &a, 3, q, p, &at), MATCHING_ELENGTH);
-	p[2] += 0.01;           /* the edge of no length between two landmarks does no harm */
+	p[2] += 0.01;           /* an edge of length 0 between two landmarks does no harm */
 	assert_int_equal(matching_init(&m, &a, &b, 3, p, q, &at), 0);
 	matching_free(&m);
 	border_free(&a);
 	border_free(&b);
 }
 
-/* Borders of bilinear fields give the fields; any border is kept. */
+/* The Coons patch of a bilinear field's border is the field; any border is kept. */
 static void
 coons_patches(void **state)
 {

@@ -23,7 +23,7 @@
 
 enum { SHARE = 40 };
 
-/* What CGAL loses by itself when operator new throws in the midst of a container. */
+/* What CGAL itself leaks if operator new throws while it builds a container. */
 const char *__lsan_default_suppressions(void);
 const char *
 __lsan_default_suppressions(void)
@@ -31,11 +31,11 @@ __lsan_default_suppressions(void)
 	return "leak:allocate_new_block\nleak:CGAL::Properties\nleak:CGAL::Kd_tree\n";
 }
 
-static Mesh mesh;               /* what the work is done on: got without faults */
+static Mesh mesh;               /* input of the work, allocated without faults */
 static Disk disk;
 static int  corner[4];
 
-/* work returns 0 or an error, and frees what it has in either case. */
+/* work returns 0 or an error, and frees its memory in either case. */
 static void
 refuse_each(int (*work)(int), int which)
 {
@@ -183,7 +183,7 @@ compared(int crossings)
 	return e;
 }
 
-/* What a stage does to a grid, then written and read again. */
+/* A stream of grids with metadata and history, written and read again. */
 static int
 passed_on(int frames)
 {

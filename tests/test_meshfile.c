@@ -1,5 +1,5 @@
-/* test_meshfile.c - meshfile.h: every format's rules, its refusals and their words;
- * cut, changed and hostile files; what is written is what is read. */
+/* test_meshfile.c - meshfile.h: the rules of every format, refusals and their messages; cut,
+ * changed and hostile files; writing and reading back. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -16,9 +16,9 @@
 #include "../lib/mesh/channel.h"
 #include "../lib/meshfile/meshfile.h"
 
-static const size_t MOST = (size_t)1 << 32;      /* that gzip data may unpack to */
+static const size_t MOST = (size_t)1 << 32;      /* largest size that gzip data may unpack to */
 
-/* Parse a copy of exactly n bytes, so that a sanitizer sees any step beyond them. */
+/* Parses a copy of exactly n bytes, so that a sanitizer sees any access beyond them. */
 static int
 parse(Soup *s, const void *bytes, size_t n)
 {
@@ -201,7 +201,7 @@ ply_rules(void **state)
 	refuses(HEAD("ascii", "2") "end_header\n0 0 0\n0 inf 0\n", MESH_EVALUE, "vertex 1");
 }
 
-/* Data that begin with the byte of a line end, after each kind of line end. */
+/* Data whose first byte is that of a line end, after each kind of line end. */
 static void
 ply_line_ends(void **state)
 {
@@ -268,8 +268,8 @@ other_kinds(void **state)
 	refuses("# c\nVertex 1 0 0 0\n", MESH_EFORMAT, "Hoppe");
 }
 
-/* So little memory that believing a promise is MESH_ENOMEM, a wrong code.  A sanitizer
- * needs its own address space, and reports a large allocation by itself. */
+/* Limits memory so far that trusting a claimed count gives MESH_ENOMEM, a wrong code.  A
+ * sanitizer needs its own address space, and reports a large allocation itself. */
 static void
 limit(const struct rlimit *old)
 {
@@ -283,7 +283,7 @@ limit(const struct rlimit *old)
 #endif
 }
 
-/* Counts and indices that no file of a hundred bytes can mean, under a memory limit. */
+/* Counts and indices that are impossible in a file of a hundred bytes, under a memory limit. */
 static void
 hostile_counts(void **state)
 {
@@ -353,7 +353,7 @@ same(const Soup *s, const Mesh *m)
 	    memcmp(s->idx, m->tri, (size_t)m->nf * 3 * sizeof(int)) == 0;
 }
 
-/* Formats with shared vertices give back every bit; STL every corner as a float. */
+/* Formats with shared vertices return every bit, STL every corner rounded to float. */
 static void
 round_trip(void **state)
 {
@@ -382,7 +382,7 @@ round_trip(void **state)
 	mesh_free(&m);
 }
 
-/* Text of STL with a quad, which it cannot hold. */
+/* STL text with a quad, which STL does not allow. */
 static void
 stl_holds_triangles(void **state)
 {
@@ -423,7 +423,7 @@ table_of_formats(void **state)
 	}
 }
 
-/* Append n bytes of w in either order. */
+/* Appends n bytes of w in either byte order. */
 static void
 bytes(char **p, unsigned long w, int n, int big)
 {
@@ -433,7 +433,7 @@ bytes(char **p, unsigned long w, int n, int big)
 		*(*p)++ = (char)(w >> 8*(big ? n-1 - i : i));
 }
 
-/* The coordinate i as float bits, for small whole i. */
+/* The bits of coordinate i as a float, for small integers i. */
 static unsigned long
 asfloat(int i)
 {
@@ -444,7 +444,7 @@ asfloat(int i)
 	return w;
 }
 
-/* Both faces of a tetrahedron's corner, as binary OFF or PLY; returns its length. */
+/* Two faces of a tetrahedron, as binary OFF or PLY; returns the length. */
 static size_t
 binaryfile(char *buf, int ply, int big, int colours)
 {
@@ -497,8 +497,8 @@ binary_files(void **state)
 			}
 }
 
-/* A file cut at k bytes is refused, unless only blanks, or digits of the last number in a
- * text, are gone. */
+/* A file cut at k bytes is refused, unless only blanks or, in text, digits of the last number are
+ * missing. */
 static void
 every_cut(void **state)
 {
@@ -523,8 +523,8 @@ every_cut(void **state)
 	mesh_free(&m);
 }
 
-/* Each byte in turn becomes each of a few values, in a text without a final newline:
- * only a sanitizer, a crash or an index out of range can complain. */
+/* Each byte in turn gets each of a few values, in a text without a final newline; only a crash, a
+ * sanitizer or an index out of range makes this fail. */
 static void
 changed(const char *bytes, size_t n)
 {
@@ -576,7 +576,7 @@ every_byte(void **state)
 	changed(buf, binaryfile(buf, 1, 1, 0));
 }
 
-/* bytes as one gzip member; returns its length. */
+/* Packs bytes as one gzip member; returns its length. */
 static size_t
 deflated(const char *bytes, size_t n, unsigned char *out, size_t room)
 {
@@ -593,9 +593,9 @@ deflated(const char *bytes, size_t n, unsigned char *out, size_t room)
 	return room - z.avail_out;
 }
 
-/* The first bytes of a long file: whether it can be a mesh. */
+/* From the first bytes of a long file: whether it can be a mesh. */
 static void
-promising(void **state)
+first_bytes_tell_a_mesh(void **state)
 {
 	static const char *const good[] = { "OFF\n3 1 0\n", "v 0 0 0\n", "ply\nformat ascii 1.0\n", "solid a\n",
 	    "# a comment\n\n", "\x1f\x8b\b", "\xef\xbb\xbfOFF\n3" };
@@ -658,14 +658,14 @@ gzipped(void **state)
 	assert_string_equal(s.err, "empty input");
 	zeros = calloc(1, 1 << 22);
 	big = malloc(1 << 16);
-	n = deflated(zeros, 1 << 22, big, 1 << 16);     /* 1000:1 is still honest */
+	n = deflated(zeros, 1 << 22, big, 1 << 16);     /* a ratio of 1000:1 is allowed */
 	assert_int_equal(parse(&s, big, n), MESH_EFORMAT);
 	assert_null(strstr(s.err, "gzip data"));
 	free(zeros);
 	free(big);
 }
 
-/* Every kind, and every way to write it, behind gzip: the same soup as without. */
+/* Every format, in every way to write it, gives the same soup from gzip. */
 static void
 same_gzipped(const char *bytes, size_t n)
 {
@@ -707,7 +707,7 @@ every_kind_gzipped(void **state)
 		free(p);
 	}
 	mesh_free(&m);
-	for (k = 0; k < 8; k++)                         /* OFF BINARY and PLY, in both orders */
+	for (k = 0; k < 8; k++)                         /* binary OFF and PLY, in both byte orders */
 		if (!(k & 1) || !(k & 4))
 			same_gzipped(buf, binaryfile(buf, k & 1, k >> 1 & 1, k >> 2 & 1));
 }
@@ -732,7 +732,7 @@ parseuv(Soup *s, const void *bytes, size_t n)
 	return e;
 }
 
-/* Text of which the (u,v) and T must be these; read without them it is a mesh as ever. */
+/* Text with this T and these (u,v); read without them it is an ordinary mesh. */
 static void
 readsuv(const char *text, double T, int nv, const double *uv)
 {
@@ -778,7 +778,7 @@ obj_uv(void **state)
 	readsuv(TRI VT "f 1/1 2/2 3/3\n", 0, 3, uv);
 	readsuv("# lhgrid T 0.75\n" TRI VT "f 1/1 2/2 3/3\n", 0.75, 3, uv);
 	readsuv("# by hand\n#\n#lhgrid T 3\n# lhgrid 5\n" TRI "# lhgrid T 1e-3 # so\n" VT "f 1/1 2/2 3/3", 1e-3, 3, uv);
-	readsuv(TRI "v 1 1 0\n" VT "f 1/1/1 2/2/1 3/3/1 # lhgrid T 7\n", 0, 4, uv);   /* 3 is of no face */
+	readsuv(TRI "v 1 1 0\n" VT "f 1/1/1 2/2/1 3/3/1 # lhgrid T 7\n", 0, 4, uv);   /* vertex 3 is in no face */
 	readsuv("f 1/1/7 2/2/7 3/3/7\n" VT TRI, 0, 3, uv);
 	readsuv(TRI VT "f 1/-3 2/-2 3/-1\n", 0, 3, uv);
 	readsuv(TRI VT "f 2/1 3/2 1/3\n", 0, 3, turned);
@@ -800,7 +800,7 @@ obj_uv(void **state)
 	refusesuv(TRI VT "# lhgrid T nan\nf 1/1 2/2 3/3\n", MESH_EVALUE, "is not a positive number");
 	refusesuv(TRI VT "f 1/1 2/2 4/3\n", MESH_EINDEX, "face 0 refers to vertex 3, there are 3");
 	refusesuv("OFF\n0 0 0\n", MESH_EFORMAT, "only OBJ and PLY carry (u,v)");
-	reads(TRI VT "f 1/1 2/2 3/3\nf 1/1 3/2 2/2\n", 3, "0 1 2/0 2 1");        /* a seam is fine else */
+	reads(TRI VT "f 1/1 2/2 3/3\nf 1/1 3/2 2/2\n", 3, "0 1 2/0 2 1");        /* a seam is allowed if (u,v) are not read */
 	reads(TRI "vt nan\n# lhgrid T x\nf 1/7 2/7 3/7\n", 3, "0 1 2");
 }
 
@@ -834,7 +834,7 @@ ply_uv(void **state)
 	    "property int s\nproperty int t\nend_header\n0 0 0 0 0\n", MESH_EFORMAT, "file has room for");
 }
 
-/* A soup with a vertex of no face, a triangle, a quad and a polygon of n corners. */
+/* A soup of a vertex of no face, a triangle, a quad and a polygon of n corners. */
 static Soup
 polygons(int n)
 {
@@ -853,8 +853,8 @@ polygons(int n)
 	return s;
 }
 
-/* Soups come back as they were, bit by bit, quads as quads; OFF and those without uv
- * without it; what is written again is the same file. */
+/* Soups are read back bit by bit, quads as quads; OFF and soups without (u,v) have none; writing
+ * them again gives the same file. */
 static void
 soup_round_trip(void **state)
 {
@@ -892,7 +892,7 @@ soup_round_trip(void **state)
 	}
 }
 
-/* Cut anywhere, or a byte changed: refused, or a soup whose (u,v) are numbers. */
+/* Cut anywhere, or with a byte changed, a file is refused or gives a soup with finite (u,v). */
 static void
 damaged_uv(void **state)
 {
@@ -943,7 +943,7 @@ main(void)
 		cmocka_unit_test(round_trip),
 		cmocka_unit_test(stl_holds_triangles),
 		cmocka_unit_test(table_of_formats),
-		cmocka_unit_test(promising),
+		cmocka_unit_test(first_bytes_tell_a_mesh),
 		cmocka_unit_test(binary_files),
 		cmocka_unit_test(every_cut),
 		cmocka_unit_test(every_byte),

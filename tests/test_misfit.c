@@ -16,7 +16,7 @@ static double phi[3*N], lambda[N], H[N], lambda2[N], l2H[N], nu[2][N], tau[2][N]
 static double d[3*N], e[3*N], g[3*N], f[3*N], moved[3*N];
 static Residue residue = { { nu[0], nu[1] }, { tau[0], tau[1] } };
 
-/* The torus patch, bent by a wave, so that it is neither symmetric nor conformal. */
+/* The torus patch, deformed by a wave, so that it is neither symmetric nor conformal. */
 static void
 surface_of_size(double size)
 {
@@ -72,7 +72,7 @@ energy_at(const Misfit *m, double t, const double *direction)
 	return misfit_energy(m, moved);
 }
 
-/* With the residue no line of the energy is left; without, those of conformality are. */
+/* With residue channels the energy is 0; without them only its terms of conformality remain. */
 static void
 energy_is_zero_at_the_surface(void **state)
 {
@@ -99,7 +99,7 @@ gradient_is_the_derivative(void **state)
 	(void)state;
 	surface_of_size(1);
 	m = misfit_of(NULL);
-	random_displacement(5, 0.001, e);               /* away from the surface */
+	random_displacement(5, 0.001, e);               /* move away from the surface */
 	for (k = 0; k < 3*N; k++)
 		phi[k] += e[k];
 	misfit_gradient(&m, phi, g);
@@ -111,7 +111,7 @@ gradient_is_the_derivative(void **state)
 	misfit_free(&m);
 }
 
-/* J'J is symmetric, and where the residuals are 0 the derivative of the gradient. */
+/* J'J is symmetric and, where the residuals are 0, the derivative of the gradient. */
 static void
 normal_matrix_is_that_of_the_gradient(void **state)
 {
@@ -141,7 +141,7 @@ normal_matrix_is_that_of_the_gradient(void **state)
 	misfit_free(&m);
 }
 
-/* On charts with joined sides, with residues: an odd field among them, tau. */
+/* On charts with joined sides, with residue channels, including tau, which is odd there. */
 static void
 gradient_beyond_joined_sides(void **state)
 {
@@ -174,7 +174,7 @@ gradient_beyond_joined_sides(void **state)
 	boundary_is_free = 0;
 }
 
-/* As these, with border nodes that move. */
+/* The same with free border nodes. */
 static void
 free_gradient_is_the_derivative(void **state)
 {
@@ -183,7 +183,7 @@ free_gradient_is_the_derivative(void **state)
 	boundary_is_free = 0;
 }
 
-/* Symmetric, and rigid motions are in its null space. */
+/* J'J is symmetric, and rigid motions are in its null space. */
 static void
 free_normal_matrix_is_symmetric(void **state)
 {
@@ -216,7 +216,7 @@ free_normal_matrix_is_symmetric(void **state)
 	boundary_is_free = 0;
 }
 
-/* Each border node says something of its own, and nothing where its metric is lambda^2. */
+/* Each border node has its own term in the energy, 0 if its metric is lambda^2. */
 static void
 free_border_has_its_energy(void **state)
 {
@@ -267,9 +267,9 @@ energy_has_no_unit_of_length(void **state)
 	assert_true(fabs(E[1]/E[0] - 1) < 1e-9);
 }
 
-/* A node that says nothing (lambda is 0 there, or H beyond all measure) spoils nothing. */
+/* A node of weight 0 (lambda is 0 there, or H enormous) spoils nothing. */
 static void
-single_nodes_do_no_harm(void **state)
+nodes_without_weight_do_no_harm(void **state)
 {
 	double E, clean;
 	Misfit m;
@@ -323,7 +323,7 @@ main(void)
 		cmocka_unit_test(free_normal_matrix_is_symmetric),
 		cmocka_unit_test(free_border_has_its_energy),
 		cmocka_unit_test(energy_has_no_unit_of_length),
-		cmocka_unit_test(single_nodes_do_no_harm),
+		cmocka_unit_test(nodes_without_weight_do_no_harm),
 		cmocka_unit_test(threads_change_no_bit),
 	};
 

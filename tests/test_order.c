@@ -1,4 +1,4 @@
-/* test_order.c - the order is one, for every graph, and it saves fill on surfaces. */
+/* test_order.c - orders of elimination: the same for any number of threads, with little fill. */
 #include "cmock.h"
 
 #include <math.h>
@@ -22,7 +22,7 @@ check_permutation(const Graph *g, const int *order)
 	free(seen);
 }
 
-/* The graph of n vertices with those edges of which has() says so. */
+/* The graph of n vertices whose edges are the pairs for which has() is true. */
 static Graph
 graph_of(int n, int (*has)(int n, int i, int j))
 {
@@ -74,7 +74,7 @@ every_graph_is_ordered(void **state)
 		}
 }
 
-/* Entries of the factor; order NULL: by AMD. */
+/* Number of entries of the factor; AMD's order if order is NULL. */
 static double
 fill(const Graph *g, const int *order)
 {
@@ -120,8 +120,8 @@ mesh_graph(const char *kind, int n, Disk *d, Cotangent *C)
 	assert_int_equal(cotangent_init(C, d), 0);
 }
 
-/* A path needs two entries a column, a tree too: no order of a forest is better than
- * leaves first.  A separator in its middle may cost one more. */
+/* For a path or a tree, two entries a column are least, as when leaves are eliminated first.  A
+ * separator in the middle may cost one more. */
 static void
 little_fill_on_a_path(void **state)
 {
@@ -134,8 +134,8 @@ little_fill_on_a_path(void **state)
 	free(order), free(g.first), free(g.adj);
 }
 
-/* Nested dissection beats minimum degree on large surfaces, folded ones as well; a rolled
- * up strip is long and narrow, where minimum degree is at its best. */
+/* Nested dissection has less fill than minimum degree on large surfaces, also folded ones; a
+ * rolled up strip is long and narrow, which suits minimum degree best. */
 static void
 less_fill_than_minimum_degree(void **state)
 {
@@ -183,8 +183,8 @@ same_order_for_any_threads(void **state)
 	disk_free(&d);
 }
 
-/* Left and right thirds of a w x w grid, w = 30, with a passage of `gap` rows in the band:
- * by Menger the cut has gap vertices, and it parts. */
+/* Left and right thirds of a w x w grid, w = 30, with a passage of `gap` rows in the band
+ * between: by Menger's theorem the smallest cut has gap vertices, and it must separate. */
 static void
 cut_is_smallest(void **state)
 {
@@ -200,7 +200,7 @@ cut_is_smallest(void **state)
 		for (i = 0; i < N; i++)         /* a wall: left below the passage, right beyond */
 			if (i/W >= gap && side[i] == CUT_SEPARATOR)
 				side[i] = i%W < 15 ? CUT_LEFT : CUT_RIGHT;
-		for (i = 0; i < N; i++)         /* which leaves one column of the band between */
+		for (i = 0; i < N; i++)         /* which leaves a single column of the band in between */
 			if (i/W >= gap && i%W == 15)
 				side[i] = CUT_SEPARATOR;
 		vertexcut(&g, side, work);

@@ -48,7 +48,7 @@ circles(void **state)
 	}
 }
 
-/* Raggedness is no way round: half of the circle is half of its outline. */
+/* The ragged half of the circle has half the length of the outline. */
 static void
 ragged(void **state)
 {

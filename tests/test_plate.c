@@ -1,4 +1,5 @@
-/* test_plate.c - transforms against their sums, and plate_solve against the plate's operator. */
+/* test_plate.c - transforms against their defining sums, and plate_solve against the operator of
+ * the plate. */
 #include "cmock.h"
 
 #include <omp.h>
@@ -9,7 +10,7 @@
 
 typedef void Kernel(const Transform *t, double *f, double *work);
 
-/* Compares a transform of n numbers over N steps with its sum. */
+/* Compares a transform of n numbers over N steps with its defining sum. */
 static void
 check_transform(Kernel *transform, int N, int n, double (*term)(int j, int k, int N))
 {

@@ -53,7 +53,7 @@ laplace_is_its_own_adjoint(void **state)
 	gridlaplace_free(&l);
 }
 
-/* On a conformal plane the matrix is the plane's own, and the transforms invert it. */
+/* On a conformal plane the matrix is that of the plane, and the transforms invert it. */
 static void
 transforms_invert_the_plane(void **state)
 {
@@ -117,8 +117,8 @@ harmonic_functions_of_known_surfaces(void **state)
 	}
 }
 
-/* Random points of a triangulated rectangle in which some triangles are flat and others
- * turned over: the walk alone goes astray there. */
+/* Random points of a triangulated rectangle with some flat and some flipped triangles, where
+ * walking from triangle to triangle fails. */
 static void
 points_are_located(void **state)
 {
@@ -139,7 +139,7 @@ points_are_located(void **state)
 		if (fabs(u[i] - 0.5) < 0.02 && fabs(v[i] - 0.3) < 0.02)
 			break;
 	u[i] = u[i+1], v[i] = v[i+1];
-	for (i = 0; i < d.m.nv; i++)            /* a vertex thrown out of its ring */
+	for (i = 0; i < d.m.nv; i++)            /* a vertex moved out of its ring */
 		if (fabs(u[i] - 0.2) < 0.02 && fabs(v[i] - 0.4) < 0.02)
 			break;
 	u[i] += 0.15;
@@ -170,8 +170,8 @@ mean_mu(const Grid *a)
 	return stats_mean((size_t)(a->g.nu - 2)*(a->g.nv - 2), mu);
 }
 
-/* The map of a torus patch, bent away from conformal: the polish finds it again, and T,
- * and takes points along. */
+/* The map of a torus patch, deformed so that it is not conformal: polish recovers the conformal
+ * map and T, and moves points with it. */
 static void
 polish_finds_the_conformal_map(void **state)
 {
@@ -212,7 +212,7 @@ polish_finds_the_conformal_map(void **state)
 	disk_free(&d);
 }
 
-/* However many rounds, the grid is never left less conformal than it was. */
+/* After any number of rounds the grid is at least as conformal as before. */
 static void
 polish_never_harms(void **state)
 {

@@ -1,4 +1,4 @@
-/* test_procrustes.c - motions that are known come back, never as reflections. */
+/* test_procrustes.c - known motions are found, never as reflections. */
 #include "cmock.h"
 
 #include <math.h>
@@ -20,7 +20,7 @@ noise(uint64_t *seed, int n, double *x)
 		x[i] = 2*rng_unit(seed) - 1;
 }
 
-/* A rotation by Rodrigues' formula about a random axis. */
+/* A rotation about a random axis, by Rodrigues' formula. */
 static void
 rotation(uint64_t *seed, double angle, double R[3][3])
 {
@@ -104,7 +104,7 @@ misfit(int n, const double *w, const double *a, const double *b, const Rigid *r)
 	return sum;
 }
 
-/* No small motion from the minimum does better, and rms is what it says. */
+/* No small change of the motion gives a smaller rms, and rms is that of the motion returned. */
 static void
 minimum(void **state)
 {
@@ -137,7 +137,7 @@ minimum(void **state)
 	}
 }
 
-/* The mirror image fits exactly by a reflection, in space; in a plane also by a rotation. */
+/* A mirror image fits exactly only by a reflection in space; in a plane also by a rotation. */
 static void
 no_reflection(void **state)
 {
@@ -160,9 +160,9 @@ no_reflection(void **state)
 	assert_true(rms < 1e-14);
 }
 
-/* Points on a line, one point, and what is not finite. */
+/* Points on a line, a single point, and points that are not finite. */
 static void
-little_to_go_by(void **state)
+degenerate_points(void **state)
 {
 	double a[3*N] = { 0 }, b[3*N] = { 0 }, rms;
 	Rigid r;
@@ -192,7 +192,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(known_motions), cmocka_unit_test(minimum),
-		cmocka_unit_test(no_reflection), cmocka_unit_test(little_to_go_by)
+		cmocka_unit_test(no_reflection), cmocka_unit_test(degenerate_points)
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

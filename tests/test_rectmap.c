@@ -80,7 +80,7 @@ modulus_error(const char *kind, int n)
 	return e;
 }
 
-/* Four times the vertices, half the size of the triangles: second order. */
+/* Four times as many vertices halve the size of the triangles: second order. */
 static void
 modulus_of_sector_and_surfaces(void **state)
 {
@@ -94,8 +94,8 @@ modulus_of_sector_and_surfaces(void **state)
 	}
 }
 
-/* By symmetry T = 1; the inner corner of the L and the corners on smooth boundaries are
- * singular, so the order is lower there. */
+/* By symmetry T = 1; the inner corner of the L and corners on smooth boundaries are singular,
+ * which lowers the order. */
 static void
 modulus_by_symmetry(void **state)
 {
@@ -191,7 +191,7 @@ sampling_is_exact_on_the_plane(void **state)
 	unmap(&m);
 }
 
-/* The grid of a conformal patch against phi itself at the same place of its domain. */
+/* The grid of a conformal patch against phi at the same place of its domain. */
 static double
 sampling_error(const char *kind, int n)
 {
@@ -229,8 +229,8 @@ sampling_converges(void **state)
 	}
 }
 
-/* lambda and H of the whole chain, in the mean: lambda on the chart is lambda of phi times
- * the width of its domain. */
+/* Mean errors of lambda and H after mapping and sampling; lambda on the chart is lambda of phi
+ * times the width of its domain. */
 static void
 check_chain(int surface, double lambda_bound, double H_bound)
 {
@@ -257,7 +257,7 @@ check_chain(int surface, double lambda_bound, double H_bound)
 	unmap(&m);
 }
 
-/* Facets put curvature on the edges; the smooth surface does not. */
+/* Facets have their curvature on the edges; the smooth surface has none there. */
 static void
 lambda_and_H_of_the_chain(void **state)
 {
@@ -282,7 +282,7 @@ corners_by_shape(void **state)
 	disk_free(&d);
 	synth_disk("cap", 2000, &s, &dom, &d, NULL);
 	assert_int_equal(corners_auto(&d, corner), 0);
-	for (k = 0; k < 4; k++)         /* its vertices are evenly spaced on a circle */
+	for (k = 0; k < 4; k++)         /* the vertices are evenly spaced on a circle */
 		assert_true(fabs(corner[k] - k*d.nb/4.0) <= 1);
 	disk_free(&d);
 }
@@ -331,7 +331,7 @@ no_free_vertices(void **state)
 	disk_free(&d);
 }
 
-/* The matrix holds no more than it applies: C x by rows against C x by triangles. */
+/* The matrix is the one that is applied: C x by rows against C x by triangles. */
 static void
 rows_are_the_triangles(void **state)
 {
@@ -361,8 +361,8 @@ rows_are_the_triangles(void **state)
 	unmap(&m);
 }
 
-/* One vertex moved onto its neighbour: angles that are not numbers, in a small mesh and
- * in one of several subtrees. */
+/* A vertex moved onto its neighbour gives angles that are NaN, in a small mesh and in one of
+ * several subtrees. */
 static void
 degenerate_triangle_is_reported(void **state)
 {
@@ -396,8 +396,8 @@ upright(const Mesh *m)
 	return 1;
 }
 
-/* Vertices moved almost onto a neighbour, so that cotangents reach 1e6: u and v1 of
- * a rectangle stay linear, but for the rounding of so large entries. */
+/* Vertices moved almost onto a neighbour, so that cotangents reach 1e6: u and v1 of a rectangle
+ * stay linear, up to the rounding of such large entries. */
 static void
 slivers_are_mapped(void **state)
 {
@@ -459,8 +459,8 @@ same_bits_for_any_threads(void **state)
 	unmap(&m);
 }
 
-/* Quadratic elements know the energy of every quadratic function, whatever the mesh, and that
- * x^2 - y^2 and x y are harmonic. */
+/* Quadratic elements give the exact energy of every quadratic function, for any mesh, and find
+ * that x^2 - y^2 and x y are harmonic. */
 static void
 quadratics_are_exact(void **state)
 {

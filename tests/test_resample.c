@@ -1,4 +1,4 @@
-/* test_resample.c - cubics stay cubics, means keep what is straight. */
+/* test_resample.c - interpolation is exact on cubics, averaging on straight lines. */
 #include "cmock.h"
 
 #include "../lib/grid/resample.h"
@@ -82,9 +82,9 @@ means_keep_what_is_straight(void **state)
 	}
 }
 
-/* What alternates from node to node is too fine for half the nodes. */
+/* A field that alternates from node to node cannot be represented by half the nodes. */
 static void
-means_drop_what_is_too_fine(void **state)
+means_drop_alternating_fields(void **state)
 {
 	Chart from = { 23, 17, 0.8, &CHART_RECTANGLE }, to = { 12, 9, 0.8, &CHART_RECTANGLE };
 	double f[23*17], e[12*9];
@@ -107,7 +107,7 @@ main(void)
 		cmocka_unit_test(cubics_are_exact),
 		cmocka_unit_test(shared_nodes_keep_their_bits),
 		cmocka_unit_test(means_keep_what_is_straight),
-		cmocka_unit_test(means_drop_what_is_too_fine),
+		cmocka_unit_test(means_drop_alternating_fields),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

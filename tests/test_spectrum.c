@@ -1,4 +1,4 @@
-/* test_spectrum.c - Fourier coefficients and what dropping them does. */
+/* test_spectrum.c - Fourier coefficients and the effect of dropping some. */
 #include "cmock.h"
 
 #include "../lib/morph/blend.h"
@@ -104,7 +104,7 @@ a_wave_is_one_coefficient_or_a_pair(void **state)
 	}
 }
 
-/* Which of a wave's coefficients a bound keeps, just below and just above |C|. */
+/* The coefficients of a wave that a bound keeps, just below and just above |C|. */
 static void
 straddle(Spectrum s, FilterRule rule, double at, int log, double mean, double amplitude)
 {
@@ -181,7 +181,7 @@ variance(const double *f, const double *from)
 	return sum;
 }
 
-/* What is kept holds the share, and, without its last coefficient, no longer does. */
+/* The coefficients kept hold the share of the energy; without the last of them they do not. */
 static void
 energy_holds_the_share(void **state)
 {
@@ -213,10 +213,10 @@ energy_holds_the_share(void **state)
 	}
 }
 
-/* f is a sum of cosines of known wave numbers in (u,v); R between them parts them.  The
- * nodes cover nu h x nv k, a cell more than the chart, and there they are whole waves. */
+/* f is a sum of cosines of known wave numbers in (u,v), and R between these separates them.  The
+ * nodes cover nu h x nv k, a cell more than the chart; on that the cosines are whole waves. */
 static void
-low_pass_parts_waves(void **state)
+low_pass_separates_waves(void **state)
 {
 	const double h = 1.0/(NU - 1), k = 0.7/(NV - 1), a = 3/(NU*h), b = 2/(NV*k);
 	double f[N], low[N], slow, fast;
@@ -245,9 +245,9 @@ low_pass_parts_waves(void **state)
 	}
 }
 
-/* A field of lengths in metres and in millimetres keeps the same waves of its logarithm. */
+/* A field of lengths keeps the same waves of its logarithm in metres and in millimetres. */
 static void
-log_knows_no_unit(void **state)
+log_is_free_of_the_unit(void **state)
 {
 	double f[N], g[N];
 	size_t kept, again;
@@ -272,8 +272,8 @@ log_knows_no_unit(void **state)
 	}
 }
 
-/* Dropping is a projection: a second time changes nothing, and what was dropped is
- * orthogonal to what was kept. */
+/* Filtering is a projection: filtering again changes nothing, and what is dropped is orthogonal
+ * to what is kept. */
 static void
 filter_projects(void **state)
 {
@@ -297,7 +297,7 @@ filter_projects(void **state)
 	}
 }
 
-/* Also where coefficients are zero and nothing is above the bound. */
+/* Including fields of which coefficients are zero and none is above the bound. */
 static void
 bound_zero_keeps_every_bit(void **state)
 {
@@ -350,8 +350,8 @@ main(void)
 		cmocka_unit_test(raw_bound),
 		cmocka_unit_test(keep_counts),
 		cmocka_unit_test(energy_holds_the_share),
-		cmocka_unit_test(low_pass_parts_waves),
-		cmocka_unit_test(log_knows_no_unit),
+		cmocka_unit_test(low_pass_separates_waves),
+		cmocka_unit_test(log_is_free_of_the_unit),
 		cmocka_unit_test(filter_projects),
 		cmocka_unit_test(bound_zero_keeps_every_bit),
 		cmocka_unit_test(blend_meets_its_ends),

@@ -16,7 +16,7 @@ chart(const ChartKind *kind)
 	return (Chart){ NU, NV, 0.7, kind };
 }
 
-/* Node i along an axis, which may lie beyond: nodes are half a step from a joined side. */
+/* Node i along an axis, also beyond the chart: nodes are half a step from a joined side. */
 static double
 place(Chart g, int axis, int i)
 {
@@ -68,7 +68,7 @@ wave(Chart g, double u, double v)
 	return sin(3*u + v);
 }
 
-/* What lies beyond a side is the field, continued there. */
+/* Beyond a side the values are those of the field continued across it. */
 static void
 neighbours_beyond_joined_sides(void **state)
 {
@@ -157,7 +157,7 @@ four_at_a_time_are_as_one(void **state)
 	}
 }
 
-/* Row j of values y at the places of complete stencils, 0 elsewhere; odd ones with their sign. */
+/* Row j of y at the nodes of complete stencils, 0 elsewhere; odd fields with their sign. */
 static void
 row_of(Chart g, const double *y, int odd, int j, double row[NU + 2])
 {

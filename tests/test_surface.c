@@ -24,7 +24,7 @@ sample(Immersion *f, Chart g, double *phi)
 	sample_immersion(f, g, 1, x, NULL, NULL);
 }
 
-/* lambda, H, residue and lattice of the truth. */
+/* lambda, H, residue channels and lattice of the exact surface. */
 static Surface
 given(Immersion *f, Chart g)
 {
@@ -39,7 +39,8 @@ given(Immersion *f, Chart g)
 	return (Surface){ .g = g, .lambda = lambda, .H = H, .start_chart = LATTICE, .start_end = { 1, 1 }, .start = start };
 }
 
-/* Reconstructs from the given and so many rings; the largest difference to the truth. */
+/* Reconstructs from the given fields and `rings` rings; returns the largest difference to the
+ * exact surface. */
 static double
 reconstruct(const Surface *s, int rings, const FitOptions *o)
 {
@@ -69,7 +70,7 @@ surfaces_come_back(void **state)
 	}
 }
 
-/* What is left is that differences are not derivatives: it falls with the square of h. */
+/* The only error is that differences are not derivatives: it falls with the square of h. */
 static void
 error_is_of_second_order(void **state)
 {
@@ -98,9 +99,9 @@ residue_gives_the_surface_itself(void **state)
 	assert_true(reconstruct(&s, 1, &EXACT) < 1e-9);
 }
 
-/* The start chooses among solutions and enters nothing else; nor does where it comes from. */
+/* The start selects one of several solutions and has no other influence; nor has its origin. */
 static void
-start_enters_nothing(void **state)
+start_does_not_change_the_result(void **state)
 {
 	Surface s = given(torus, COARSE);
 	size_t n = 3*(size_t)COARSE.nu*COARSE.nv;
@@ -124,7 +125,7 @@ start_enters_nothing(void **state)
 	assert_true(largest(n, kept, found) < 1e-7);
 }
 
-/* The unit of length, if it is a power of two, changes no bit. */
+/* A unit of length that is a power of two changes no bit. */
 static void
 unit_of_length_changes_nothing(void **state)
 {
@@ -173,8 +174,9 @@ threads_change_no_bit(void **state)
 
 static const FitOptions PATIENT = { .tolerance = 1e-8, .most = 200, .sharpen = 1 };
 
-/* Inversions keep a map conformal, and of a minimal surface make one whose H varies: Enneper's
- * itself has associates with its lambda and H, and a sphere bends to first order. */
+/* Inversions keep a map conformal.  That of a minimal surface has an H that varies, whereas
+ * Enneper's surface has associates with the same lambda and H, and a sphere bends to first order.
+ * */
 static Node
 inverted(Node a)
 {
@@ -189,8 +191,8 @@ inverted_enneper(double u, double v)
 	return inverted(enneper(u, v));
 }
 
-/* Without its boundary; from the band, adrift from the start.  The largest difference to the
- * truth but for a motion. */
+/* Reconstructs with a free boundary, placed by the band or, for 0 rings, by the start alone.
+ * Returns the largest difference to the exact surface up to a rigid motion. */
 static double
 reconstruct_free(Surface *s, int rings)
 {
@@ -217,7 +219,7 @@ reconstruct_free(Surface *s, int rings)
 	return error;
 }
 
-/* None bends with its H kept: what is left is truncation. */
+/* None of these surfaces bends with H kept, so the only error is truncation. */
 static void
 free_surfaces_come_back_of_second_order(void **state)
 {
@@ -248,9 +250,9 @@ turn(size_t n, double *x)
 	}
 }
 
-/* A band or a start that is moved moves the surface, and changes nothing else. */
+/* Moving the band or the start moves the surface, and changes nothing else. */
 static void
-free_surface_follows_what_places_it(void **state)
+free_surface_moves_with_its_band_or_start(void **state)
 {
 	size_t n = (size_t)ROUGH.nu*ROUGH.nv;
 	Surface s;
@@ -273,7 +275,7 @@ free_surface_follows_what_places_it(void **state)
 	}
 }
 
-/* From three rings, without any start: the same. */
+/* From three rings without a start, the same surface. */
 static void
 free_surface_starts_from_its_band(void **state)
 {
@@ -289,7 +291,7 @@ free_surface_starts_from_its_band(void **state)
 }
 
 static void
-free_boundaries_of_small_grids_are_no_trouble(void **state)
+small_grids_with_free_boundary_are_solved(void **state)
 {
 	static const Chart charts[] = { { 3, 3, 1, &CHART_RECTANGLE }, { 4, 9, 2, &CHART_RECTANGLE } };
 	FitProgress at;
@@ -309,7 +311,7 @@ free_boundaries_of_small_grids_are_no_trouble(void **state)
 }
 
 static void
-small_grids_are_no_trouble(void **state)
+small_grids_are_solved(void **state)
 {
 	const FitOptions usual = { .tolerance = 1e-6, .most = 60, .sharpen = 1 };
 	static const Chart charts[] = { { 2, 2, 1, &CHART_RECTANGLE }, { 3, 3, 1, &CHART_RECTANGLE }, { 4, 9, 2, &CHART_RECTANGLE } };
@@ -347,9 +349,10 @@ misfit_of(const Surface *s)
 	return m;
 }
 
-/* Where the start has the metric, though E falls steeply; from afar not before it has. */
+/* Weights are sharp after the first step if the start has the metric, even while E falls steeply;
+ * they are not if the start is far from it. */
 static void
-weights_are_sharp_as_soon_as_the_metric_is_there(void **state)
+weights_are_sharp_once_the_metric_fits(void **state)
 {
 	const FitOptions one = { .tolerance = 1e-10, .most = 1, .sharpen = 1 };
 	unsigned long long seed = 2;
@@ -370,9 +373,10 @@ weights_are_sharp_as_soon_as_the_metric_is_there(void **state)
 	}
 }
 
-/* What the finest grid adds to the coarse ones, foretold, leaves it nothing to do. */
+/* If the detail that the finest grid adds to the coarse ones is known, hardly a step is needed.
+ * */
 static void
-detail_foretold_is_detail_found(void **state)
+known_detail_needs_hardly_a_step(void **state)
 {
 	static double detail[3*MOST];
 	Surface s = given(torus, FINE);
@@ -419,7 +423,7 @@ count_falls(void *ctx, const FitProgress *at)
 	f->E = at->energy;
 }
 
-/* From a start so rough that whole steps overshoot, every one still takes something off E. */
+/* From a start so rough that full steps overshoot, each step is shortened and lowers E. */
 static void
 steps_that_overshoot_are_shortened(void **state)
 {
@@ -442,7 +446,7 @@ steps_that_overshoot_are_shortened(void **state)
 }
 
 static void
-steps_that_do_not_suffice_are_told(void **state)
+too_few_steps_are_reported(void **state)
 {
 	const FitOptions hasty = { .tolerance = 1e-10, .most = 1, .sharpen = 1 };
 	Surface s = given(torus, COARSE);
@@ -455,9 +459,9 @@ steps_that_do_not_suffice_are_told(void **state)
 	assert_true(at.change > 0 && at.energy > 0 && at.worst > (size_t)COARSE.nu);
 }
 
-/* Squares that overflow are no surface that is found. */
+/* An energy that overflows is reported, not returned as a solution. */
 static void
-energies_that_are_no_numbers_are_told(void **state)
+overflow_is_reported(void **state)
 {
 	Surface s = given(cylinder, (Chart){ 9, 8, 0.8, &CHART_RECTANGLE });
 	FitProgress at;
@@ -480,19 +484,19 @@ main(void)
 		cmocka_unit_test(surfaces_come_back),
 		cmocka_unit_test(error_is_of_second_order),
 		cmocka_unit_test(residue_gives_the_surface_itself),
-		cmocka_unit_test(start_enters_nothing),
+		cmocka_unit_test(start_does_not_change_the_result),
 		cmocka_unit_test(unit_of_length_changes_nothing),
 		cmocka_unit_test(threads_change_no_bit),
 		cmocka_unit_test(free_surfaces_come_back_of_second_order),
-		cmocka_unit_test(free_surface_follows_what_places_it),
+		cmocka_unit_test(free_surface_moves_with_its_band_or_start),
 		cmocka_unit_test(free_surface_starts_from_its_band),
-		cmocka_unit_test(free_boundaries_of_small_grids_are_no_trouble),
-		cmocka_unit_test(small_grids_are_no_trouble),
-		cmocka_unit_test(weights_are_sharp_as_soon_as_the_metric_is_there),
-		cmocka_unit_test(detail_foretold_is_detail_found),
+		cmocka_unit_test(small_grids_with_free_boundary_are_solved),
+		cmocka_unit_test(small_grids_are_solved),
+		cmocka_unit_test(weights_are_sharp_once_the_metric_fits),
+		cmocka_unit_test(known_detail_needs_hardly_a_step),
 		cmocka_unit_test(steps_that_overshoot_are_shortened),
-		cmocka_unit_test(steps_that_do_not_suffice_are_told),
-		cmocka_unit_test(energies_that_are_no_numbers_are_told),
+		cmocka_unit_test(too_few_steps_are_reported),
+		cmocka_unit_test(overflow_is_reported),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

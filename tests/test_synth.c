@@ -1,5 +1,5 @@
-/* test_synth.c - synth.h: the formulas against differences of phi, the meshes
- * against what a triangulated disk must be. */
+/* test_synth.c - synth.h: formulas against differences of phi, meshes against the definition of a
+ * triangulated disk. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -39,7 +39,7 @@ diffs(const Synth *s, double x, double y, double h)
 	return d;
 }
 
-/* A random point at least a little inside the domain. */
+/* A random point of the domain, at a small distance from its border. */
 static void
 random_point(const SynthDomain *d, uint64_t *rng, double *x, double *y)
 {
@@ -76,7 +76,7 @@ check_formulas(const Synth *s)
 }
 
 static void
-formulas_are_true(void **state)
+formulas_match_differences(void **state)
 {
 	const SynthKind *k;
 	Synth s;
@@ -93,8 +93,8 @@ formulas_are_true(void **state)
 	assert_true(seen >= 10);
 }
 
-/* The same away from the defaults, where an exchange of two parameters or a forgotten
- * one would show. */
+/* The same for other parameters than the defaults, so that two exchanged parameters or one left
+ * out would show. */
 static void
 formulas_hold_for_other_parameters(void **state)
 {
@@ -115,7 +115,7 @@ formulas_hold_for_other_parameters(void **state)
 	}
 }
 
-/* Of closed surfaces around the origin, n points away from it. */
+/* The normal n of a closed surface around the origin points outward. */
 static void
 normals_point_out(void **state)
 {
@@ -211,9 +211,9 @@ edges(const Mesh *m)
 	return e;
 }
 
-/* Oriented, each directed edge but once; those without a twin are one loop; Euler's
- * number is 1; all vertices used: a disk, if it is connected, which the loop, together
- * with Euler's number, does not quite say but the Delaunay triangulation does. */
+/* A disk: oriented, each directed edge once, a single loop of edges without a twin, Euler
+ * characteristic 1, no unused vertex.  That it is connected does not quite follow from these, but
+ * from the Delaunay triangulation. */
 static void
 check_disk(const Mesh *m)
 {
@@ -295,7 +295,7 @@ meshes_are_disks(void **state)
 		}
 }
 
-/* However few are asked for: a disk, or the plain answer that it cannot be. */
+/* For any small number of vertices the result is a disk or a refusal. */
 static void
 few_vertices(void **state)
 {
@@ -335,7 +335,8 @@ check_corners(const SynthDomain *d, const double *xy)
 	}
 }
 
-/* Vertices are phi of their parameters, corners first, faces turned with phi_x x phi_y. */
+/* Vertices are phi at their parameters, corners first, and faces are oriented along phi_x x
+ * phi_y. */
 static void
 vertices_lie_on_the_surface(void **state)
 {
@@ -379,7 +380,7 @@ vertices_lie_on_the_surface(void **state)
 }
 
 static void
-seeds_decide(void **state)
+equal_seeds_give_equal_meshes(void **state)
 {
 	Mesh a, b, c;
 	Synth s;
@@ -399,7 +400,7 @@ seeds_decide(void **state)
 	mesh_free(&c);
 }
 
-/* Integral of |phi_x x phi_y| by midpoints. */
+/* The integral of |phi_x x phi_y| by the midpoint rule. */
 static double
 true_area(const Synth *s, const SynthDomain *d)
 {
@@ -426,7 +427,7 @@ true_area(const Synth *s, const SynthDomain *d)
 	return sum;
 }
 
-/* The error falls with the area of the triangles. */
+/* The error of the area falls with the area of the triangles. */
 static void
 area_converges(void **state)
 {
@@ -452,8 +453,8 @@ area_converges(void **state)
 	}
 }
 
-/* The sizes of triangles differ little where the parametrisation is conformal, though
- * lambda does: the largest edge is less than four times the least. */
+/* Triangles are of similar size where the parametrisation is conformal, though lambda varies: the
+ * longest edge is less than four times the shortest. */
 static void
 meshes_are_even(void **state)
 {
@@ -484,7 +485,7 @@ int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(formulas_are_true),
+		cmocka_unit_test(formulas_match_differences),
 		cmocka_unit_test(formulas_hold_for_other_parameters),
 		cmocka_unit_test(normals_point_out),
 		cmocka_unit_test(moduli_are_known),
@@ -492,7 +493,7 @@ main(void)
 		cmocka_unit_test(meshes_are_disks),
 		cmocka_unit_test(few_vertices),
 		cmocka_unit_test(vertices_lie_on_the_surface),
-		cmocka_unit_test(seeds_decide),
+		cmocka_unit_test(equal_seeds_give_equal_meshes),
 		cmocka_unit_test(area_converges),
 		cmocka_unit_test(meshes_are_even),
 	};

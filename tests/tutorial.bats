@@ -1,4 +1,4 @@
-# The commands of doc/tutorial.md run, in order, and leave what the page says.
+# The commands of doc/tutorial.md run in order and give the results on the page.
 
 load helper
 
@@ -29,7 +29,7 @@ load helper
 	[ "$(lhinfo morph.lhg | grep -c 'frame . of 5')" = 5 ]
 }
 
-@test "the tutorial shows pictures that are there, and names no folder of one machine" {
+@test "the tutorial shows pictures that exist, and names no folder of one machine" {
 	for picture in $(sed -n 's/.*!\[.*\](\([^)]*\)).*/\1/p' doc/tutorial.md); do
 		[ -s "doc/$picture" ] || { echo "no picture $picture"; false; }
 	done
