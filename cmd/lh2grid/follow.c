@@ -9,7 +9,7 @@
 #include "follow.h"
 
 static const char *const START[3] = { "start.x", "start.y", "start.z" };
-enum { LATTICE = 32 };          /* steps along the shorter side, or a few more */
+enum { LATTICE = 32 };          /* the least number of steps along the shorter side */
 
 void
 follow_start(const Before *before, Lhg *g)

@@ -26,7 +26,7 @@ typedef struct Side {
 /* Compute area and crossings of side s, or die; place names it in messages. */
 void compare_side(const Compare *c, const char *place, Side *s);
 
-/* Compare b with a, or die; the value is -1 if it was not requested or is not defined. */
+/* Compare b with a, or die.  A value is -1 if it was not requested or is not defined. */
 void compare(const Compare *c, const Side *a, const Side *b, double value[COMPARE_N]);
 
 #endif

@@ -42,7 +42,7 @@ from_mesh(Surfaces *s, Mesh *m)
 	load_disk(s->in.name, &soup, &d);
 	soup_free(&soup);
 	*m = d.m;
-	d.m = (Mesh){ 0, 0, NULL, NULL };       /* m's from now on */
+	d.m = (Mesh){ 0, 0, NULL, NULL };       /* the mesh belongs to m now */
 	disk_free(&d);
 	return 1;
 }

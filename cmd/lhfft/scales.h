@@ -13,7 +13,7 @@ typedef struct Scales {
 	FilterRule  rule;
 	int         n;                  /* how many scales */
 	double      bound[SCALES_MAX];
-	double      lambda, H;          /* --K-lambda and --K-H, or -1: the bound of the scale */
+	double      lambda, H;          /* --K-lambda and --K-H; -1: not given, the bound of the scale holds */
 	int         raw, log, bending;  /* --raw, --log-lambda, --bending */
 } Scales;
 

@@ -10,7 +10,7 @@
 #include "../shared/borderread.h"
 #include "likeopt.h"
 
-enum { POINTS = 2048 };                 /* on an outline */
+enum { POINTS = 2048 };                 /* on each outline */
 static const double CLEAR = 1.25;       /* a fit worse than the best by this factor is clearly worse */
 
 typedef struct Fit {

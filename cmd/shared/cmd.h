@@ -124,7 +124,7 @@ void cmd_text_close(CmdText *t);
 /* malloc, or die with the size. */
 void *cmd_alloc(size_t n, size_t size);
 
-/* A line on stderr that replaces itself, only on a terminal, without -q, and once the command has run
+/* A line on stderr that replaces the one before: only on a terminal, without -q, and after the command has run
  * for a second.  cmd_progress_end wipes it. */
 void cmd_progress(const char *fmt, ...);
 void cmd_progress_end(void);

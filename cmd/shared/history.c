@@ -41,8 +41,8 @@ history_none(void)
 }
 
 /* value in the quotes that a shell needs, in out, of 9 bytes for each of value's and 17 more.  Control
- * characters and bytes that are not UTF-8 are escapes of printf %b.  LFs at the end, which "$(..)" would drop, come
- * from IFS, " \t\n" when a shell starts. */
+ * characters and bytes that are not UTF-8 are escapes of printf %b.  "$(..)" drops LFs at the end, so these are
+ * taken from IFS, which is " \t\n" when a shell starts. */
 static void
 quote(const char *value, char *out)
 {

@@ -22,7 +22,7 @@ typedef struct Out {
 
 static struct {
 	Out         out;
-	LhgStream   grids;              /* writes to out.f; open from the first grid on */
+	LhgStream   grids;              /* the stream of grids on out.f, from the first grid on */
 } output;
 
 /* Called by the signal handler and by die: async-signal-safe. */
@@ -58,7 +58,7 @@ catch_signals(void)
 			sigaction(sig[i], &act, NULL);
 }
 
-/* mkstemp with signals blocked: a handler would find an incomplete name. */
+/* mkstemp with signals blocked: otherwise a signal handler could find an incomplete name. */
 static int
 open_temp(char *name)
 {
@@ -76,7 +76,7 @@ open_temp(char *name)
 	return fd;
 }
 
-/* Sets to[dir..] to the n bytes at rest; path names the file in a message. */
+/* Writes the n bytes at rest, and a NUL, to to[dir..]; dies with path in the message if there is no room. */
 static void
 put_path(const char *path, char to[PATH_MAX], size_t dir, const char *rest, size_t n)
 {
@@ -92,7 +92,7 @@ void
 output_follow_links(const char *path, char *to)
 {
 	char link[PATH_MAX], *slash;
-	int left = 40;                          /* Linux calls more links a loop */
+	int left = 40;                          /* more links are a loop, as for Linux */
 	ssize_t n;
 
 	put_path(path, to, 0, path, strlen(path));

@@ -1,4 +1,4 @@
-/* private.h - between the files of cmd/shared; not for the commands. */
+/* private.h - shared by the files of cmd/shared; not for the commands. */
 #ifndef CMD_PRIVATE_H
 #define CMD_PRIVATE_H
 

@@ -4,8 +4,8 @@
 
 #include "cmd.h"
 
-/* Positions x[c][k*stride], k < n: no coordinate beyond 1e60, and not less than 1e-60 wide,
- * or die. */
+/* Dies if a coordinate of the positions x[c][k*stride], k < n, is beyond 1e60, or if the positions together are
+ * less than 1e-60 wide. */
 void range_positions(const char *name, size_t n, int stride, const double *const x[3]);
 
 /* The height T of g: 1e-9 .. 1e9, or die. */

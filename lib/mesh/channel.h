@@ -15,8 +15,8 @@ double *channel_values(const Channels *c, const char *name);
  * NULL without memory; the channels there were then stay. */
 double *channel_add(Channels *c, const char *name, int n, size_t nv);
 
-/* All channels of from on other vertices: vertex i of nv has the values of vertex[i], or none
- * where that is -1.  to is empty before.  Returns 0, or MESH_ENOMEM and to is empty. */
+/* Copies all channels of `from` to nv other vertices: new vertex i gets the values of old vertex vertex[i], or
+ * `none` if that is -1.  `to` must be empty.  Returns 0, or MESH_ENOMEM, and `to` is empty. */
 int channels_gather(Channels *to, const Channels *from, int nv, const int *vertex, double none);
 
 void channels_free(Channels *c);

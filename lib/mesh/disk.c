@@ -159,7 +159,7 @@ orient(Disk *d, Topology *t)
 	return e;
 }
 
-/* Checks at the same time for one component and for one fan at every vertex. */
+/* Checks in two threads for one component and for one fan at every vertex. */
 static int
 check_pieces(const Topology *t)
 {

@@ -12,7 +12,7 @@ enum {
 	DISTANCE_ENOMEM = -1,
 	DISTANCE_EAREA  = -2,   /* all faces have zero area */
 	DISTANCE_EEDGE  = -3,   /* an edge of three faces, or faces of opposite orientation */
-	DISTANCE_ECGAL  = -4    /* CGAL gave up */
+	DISTANCE_ECGAL  = -4    /* CGAL failed */
 };
 
 /* Maximum and mean distance of vertices of equal number; a and b have equally many vertices. */

@@ -9,7 +9,7 @@
 #include "polypriv.h"
 #include "../base/vec3.h"
 
-enum { MAXCORNERS = 10000 };            /* the time of ear clipping grows with the square */
+enum { MAXCORNERS = 10000 };            /* the time of ear clipping grows with their square */
 
 static int
 triangle(Polygon *p)

@@ -13,7 +13,7 @@ typedef struct Polygon {
 	int    n;
 	const int *v;           /* its corners */
 	double (*flat)[2];      /* clipping: corners in the average plane */
-	int   *next, *prev;     /* .. and the ring of the corners left */
+	int   *next, *prev;     /* clipping: the ring of the remaining corners */
 	int   *tri;             /* where the next triangle goes */
 } Polygon;
 

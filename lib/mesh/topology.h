@@ -31,7 +31,7 @@ int topology_orient(const Topology *t, signed char *turn);
  * to a face.  0, MESH_ENOMEM or MESH_EDISK. */
 int topology_connected(const Topology *t);
 
-/* Check that every vertex has one fan of faces.  Needs !odd.  0, MESH_ENOMEM or MESH_EMANIFOLD. */
+/* Check that every vertex has one fan of faces.  Needs odd == 0.  0, MESH_ENOMEM or MESH_EMANIFOLD. */
 int topology_fans(const Topology *t);
 
 /* The one boundary loop, as in Disk.  Needs all checks above.  0, MESH_ENOMEM, or

@@ -116,7 +116,7 @@ index_from_0(Reader *r, Token a, int n, const char *things, long long *i)
 	return 0;
 }
 
-/* Stores the b of a/b or a/b/c for the next corner; slash is the first one, or NULL. */
+/* Stores the b of a/b or a/b/c for the next corner; slash is the first slash, or NULL. */
 static int
 cornertexture(Obj *o, const char *slash, const char *end)
 {

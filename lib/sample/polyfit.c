@@ -13,7 +13,7 @@
 /* A term is left out if less than this share of its column is independent of earlier columns. */
 static const double NEW = 0.02;
 
-/* Extents below these, as a share of the others and in (u,v), count as 0. */
+/* An extent counts as 0 below FLAT times the largest one, and below TINY in (u,v). */
 static const double FLAT = 1e-10, TINY = 1e-100;
 
 /* The linear map after which the points around the first one have unit variance in all
@@ -161,7 +161,7 @@ factor(Polyfit *f)
 	}
 }
 
-/* The same with 256-bit vectors, and the same bits. */
+/* factor with 256-bit vectors; the results are the same to the last bit. */
 TARGET("avx2") static void
 factor_256(Polyfit *f)
 {

@@ -18,7 +18,7 @@ typedef struct Sampler {
 	int     surface;
 	Stars   stars;          /* this and the rest for SAMPLER_SMOOTH only */
 	Jet    *jet;            /* [nv] of the positions, where state is GRADIENT_KNOWN */
-	unsigned char *state;   /* [nv] 0, or of gradient.h */
+	unsigned char *state;   /* [nv] 0, or a state of gradient.h */
 } Sampler;
 
 /* d mapped by u, v onto [0,1] x [0,T]; all three must outlive s.  Returns 0 or

@@ -9,7 +9,7 @@ extern "C" {
 enum {
 	DELAUNAY_ENOMEM = -1,
 	DELAUNAY_EPOINT = -2,   /* two points are equal, or all lie on one line */
-	DELAUNAY_ECGAL  = -3    /* CGAL gave up */
+	DELAUNAY_ECGAL  = -3    /* CGAL failed */
 };
 
 /* The Delaunay triangles of n >= 3 finite points, counterclockwise, none of zero area:

@@ -4,7 +4,7 @@
 
 #include "synth.h"
 
-/* Each ends with a NULL name. */
+/* Lists; each ends with a row without a name. */
 extern const SynthKind synth_shapes[];  /* plane pieces and patches of classical surfaces */
 extern const SynthKind synth_strips[];  /* spiral, moebius */
 extern const SynthKind synth_reliefs[]; /* face, tooth, cortex */
