@@ -1,16 +1,10 @@
 /* lh2grid - the surface that fits a conformal factor and a mean curvature best */
 #include <stdlib.h>
 
-#include "../lib/surface/frame.h"
-#include "shared/claim.h"
-#include "shared/chartof.h"
 #include "shared/cmd.h"
-#include "lh2grid/channels.h"
 #include "lh2grid/follow.h"
-#include "lh2grid/framefit.h"
+#include "lh2grid/gridfit.h"
 #include "lh2grid/keyframes.h"
-#include "shared/range.h"
-#include "lh2grid/surfacefit.h"
 
 static const char text[] =
 "usage: lh2grid [OPTIONS] [LH] >grid.lhg\n"
@@ -72,45 +66,17 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
-/* Memory that each method needs, and that --follow adds: doubles for each node. */
-enum { SURFACE_NUMBERS = 31, FRAME_NUMBERS = 680, FOLLOW_NUMBERS = 3 };
-
-/* Replaces the channels of g by its surface; returns that surface, [3][nv][nu], to be freed. */
-static double *
-convert(const CmdInput *in, Lhg *g, int method, int follows, const SurfaceFit *o)
-{
-	const double *lambda = cmd_need(in, g, "lambda", LHG_GRID), *H = cmd_need(in, g, "H", LHG_GRID);
-	Chart chart = chart_of(g);
-	double *phi;
-
-	claim(in->name, method ? "the frame method" : "the surface method", (double)g->nu*g->nv,
-	    8*(method ? FRAME_NUMBERS : SURFACE_NUMBERS + follows*FOLLOW_NUMBERS));
-	phi = cmd_alloc(3*(size_t)g->nu*g->nv, sizeof *phi);
-	range_height(in, g);
-	range_lambda_h(in, g, lambda, H);
-	cmd_progress("frame %d of %d, %d x %d nodes", g->frame, g->frames, g->nu, g->nv);
-	if (method) {
-		band_read(in, g, FRAME_BAND, phi);
-		framefit(in, chart, lambda, H, phi);
-	} else {
-		band_read(in, g, surfacefit_rings(g, o), phi);
-		surfacefit(in, g, o, phi);
-	}
-	surface_replace(in, g, phi);
-	return phi;
-}
-
 static void
 convert_frame(const CmdInput *in, Lhg *g, const SurfaceFit *o)
 {
-	free(convert(in, g, 0, 0, o));
+	free(gridfit(in, g, GRIDFIT_SURFACE, 0, o));
 }
 
 int
 main(int argc, char *argv[])
 {
 	SurfaceFit o = { .tolerance = 5e-5, .steps = 200 };
-	int opt, method = 0, chained = 0, every = 0;
+	int opt, method = GRIDFIT_SURFACE, chained = 0, every = 0;
 	Before before = { 0 };
 	double *phi;
 	CmdInput in;
@@ -128,7 +94,7 @@ main(int argc, char *argv[])
 		case 'S': o.no_start = 1; break;
 		case 'i': o.ideal = 1; break;
 		}
-	if (method && (o.free || chained || every))
+	if (method == GRIDFIT_FRAME && (o.free || chained || every))
 		misuse("--%s is for the surface method", o.free ? "boundary=free" : chained ? "follow" : "keyframes");
 	if (every && (o.free || chained))
 		misuse("--keyframes and --%s exclude each other", o.free ? "boundary=free" : "follow");
@@ -145,7 +111,7 @@ main(int argc, char *argv[])
 	while (cmd_read(&in, &g)) {
 		if (chained)
 			follow_start(&before, &g);
-		phi = convert(&in, &g, method, chained, &o);
+		phi = gridfit(&in, &g, method, chained, &o);
 		cmd_pass(&in, &g);
 		if (chained)
 			follow_keep(&before, &g, phi);
