@@ -7,7 +7,7 @@
 /* Replaces the channels x y z of g by lambda, H, band and start, or dies.
  *
  * curvature  LAMBDAH_NORMAL or LAMBDAH_MAGNITUDE (lib/grid/lambdah.h)
- * lattice    nodes of start along the shorter side, about; 0: no start
+ * lattice    about this many nodes of start along the shorter side; 0: no start
  * residual   also add nu1 nu2 tau1 tau2 */
 void lhchannels(const CmdInput *in, Lhg *g, int curvature, int lattice, int residual);
 

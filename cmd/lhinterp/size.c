@@ -1,4 +1,4 @@
-/* size.c - areas by lambda, and B scaled to that of A. */
+/* size.c - the area of a surface from lambda; scales B to the area of A. */
 #include <math.h>
 #include <string.h>
 

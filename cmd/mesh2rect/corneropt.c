@@ -73,7 +73,7 @@ read_file(const char *path, Given *g)
 	free(s);
 }
 
-/* Vertex x of the file as one of the disk, or die. */
+/* The number in the disk of vertex x of the file, or die. */
 static int
 vertex(const Disk *d, double x)
 {

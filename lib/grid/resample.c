@@ -19,7 +19,7 @@ axis_free(Axis *a)
 	free(a->weight);
 }
 
-/* Free a even if this fails. */
+/* The caller frees a even if this fails. */
 static int
 axis_init(Axis *a, int n, int most)
 {

@@ -4,14 +4,14 @@
 
 #include "mesh.h"
 
-/* Split polygons into triangles, then repair what needs no guess and list it in d->note: drop
+/* Split polygons into triangles, then make repairs that need no guess and list them in d->note: drop
  * vertices of no face; weld vertices of equal position if faces share no vertices at all (as in
  * every STL); turn faces so that neighbours agree, towards the side of the majority.  Then check,
- * in this order, each error with its place: corners in range, finite coordinates, no degenerate face, edges of at most
- * two faces, one orientation, one component, vertices with one fan, one boundary loop,
- * no handles.
+ * in this order, each error with its place: corners in range, finite coordinates, no degenerate
+ * face, edges of at most two faces, one orientation, one component, vertices with one fan, one
+ * boundary loop, no handles.
  *
- * The channels of s are carried along; of welded vertices the first gives them.
+ * The disk has the channels of s; a vertex welded from several has those of the first.
  *
  * s is only read.  Returns 0, MESH_ENOMEM, MESH_EINDEX, MESH_EVALUE, MESH_EFACE,
  * MESH_EMANIFOLD, MESH_EORIENT or MESH_EDISK, with the reason in d->err; d then holds

@@ -4,11 +4,10 @@
 
 #include "mesh.h"
 
-/* Split the marked faces ([nf], 1 or 0) into four, and their neighbours as far as a conforming mesh
- * needs it, by longest-edge bisection (Rivara): no angle becomes smaller than half of the smallest
- * before, and obtuse ones are cut.  New vertices are midpoints of edges
- * and numbered after the old, which keep number and place; their channels are means of the ends.  With marked NULL, all faces are
- * split into four similar ones.
+/* Split the marked faces ([nf], 1 or 0) into four, and their neighbours as far as a conforming mesh needs it,
+ * by longest-edge bisection (Rivara): no angle becomes smaller than half of the smallest before, and obtuse
+ * angles are cut.  If marked is NULL, all faces are split into four similar ones.  Old vertices keep number and
+ * position.  New ones are midpoints of edges, numbered after the old; their channels are means of both ends.
  *
  * finer  out  a disk of the same surface (its note and err are ""); disk_free it
  *

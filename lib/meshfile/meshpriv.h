@@ -54,7 +54,7 @@ int soup_vertex(Reader *r, const double x[3]);
 int soup_corner(Reader *r, long long i);
 int soup_face(Reader *r);
 
-/* Free the reserved room for faces and corners that was not used. */
+/* Give back the room for faces and corners that was reserved but not used. */
 void soup_trim(Reader *r);
 
 /* Check the count of records in a header against the bytes left, which have room for `room` records: 0

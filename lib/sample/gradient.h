@@ -19,8 +19,8 @@
  *
  *   |phi'(e) - d| <= GRADIENT_BEND L,     |phi''(e,e)|/8 <= GRADIENT_BEND L.
  *
- * If the fit exceeds them it is cut to its second degree, and if that does, to its first.  If
- * that does as well, the first degree is scaled down until it keeps them.  Nothing is cut on
+ * A fit that exceeds them is cut to degree 2; if that exceeds them too, to degree 1; if that
+ * still exceeds them, it is scaled down until it keeps them.  Nothing is cut on
  * the smooth surfaces of mkmesh from 60 vertices on, nor near z -> z^2, the local form of the
  * map where a corner of the rectangle lies on a smooth boundary.  On scans and cortices with
  * their discrete (u,v), up to two vertices in a thousand are cut; on the worst meshes (faces of
