@@ -13,7 +13,7 @@ static const double FAR = 0.1;          /* provided that it was more than this; 
 static const double TURN = M_PI/3;      /* or if B is rotated less in space, by more than this angle */
 static const double NEAR = 1.25;        /* distances within this factor count as equal */
 
-/* Points at equal places from side first on, centred and of root mean square 1. */
+/* Points at equal places, starting at side `first`, centred and scaled to root mean square 1. */
 static void
 sample(const Border *b, int first, double *x)
 {

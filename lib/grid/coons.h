@@ -8,7 +8,7 @@
  *     - (1-u)(1-v) d_00 - u (1-v) d_10 - (1-u) v d_01 - u v d_11
  *
  * d  in   [2(nu-1) + 2(nv-1)][3], in the order of border.h
- * f  out  d itself on the border */
+ * f  out  equal to d on the border */
 void coons(int nu, int nv, const double *d, int i, int j, double f[3]);
 
 #endif

@@ -21,7 +21,7 @@ triangle(Polygon *p)
 	return norm3(n) > POLYGON_FLAT;
 }
 
-/* The shapes of the triangles i i+1 i+2 and i i+2 i+3 along the normal of the quad: the smaller one. */
+/* The smaller of the shapes of triangles i i+1 i+2 and i i+2 i+3, measured along the normal of the quad. */
 static double
 smaller_shape(const Polygon *p, int i, const double side[3])
 {

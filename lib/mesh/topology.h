@@ -19,7 +19,7 @@ typedef struct Topology {
 	char      *err;         /* MESH_ERRLEN */
 } Topology;
 
-/* Fill twin, nedge and odd from tri; free(t->twin).  Returns 0, MESH_ENOMEM, or
+/* Fill twin, nedge and odd from tri; the caller frees twin.  Returns 0, MESH_ENOMEM, or
  * MESH_EMANIFOLD: an edge of more than two faces. */
 int topology_twins(Topology *t);
 
