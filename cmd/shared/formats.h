@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-/* text with these marks replaced by lists from the table of formats, in out, of n bytes:
+/* Copies text to out, of n bytes, with these marks replaced by lists from the table of formats.  Returns out.
  *
  *   {formats}     OFF, OBJ, PLY or STL      {ends}     .off .obj .ply or .stl
  *   {uv formats}  those with (u,v)          {uv ends}  theirs
