@@ -8,8 +8,8 @@ CHUNK = 1 << 21                                 # candidate pixels at a time
 
 
 class Raster:
-    """What is seen in every pixel of a picture of h rows and w columns, the lowest row first:
-    tri, the number of the nearest triangle (-1: none), and bary, its three weights."""
+    """The visible surface in a picture of h rows and w columns, lowest row first; for each
+    pixel: tri, the number of the nearest triangle (-1: none), and bary, its barycentric weights."""
 
     def __init__(self, xyz, tri, w, h):
         """xyz in pixels, z towards the eye."""

@@ -2,7 +2,7 @@
  * refused: exit 1, nothing on stdout, one line on stderr.
  *
  *   damage cut    STEP FILE COMMAND...     cut to 0, STEP, 2 STEP .. bytes
- *   damage change STEP FILE COMMAND...     byte 0, STEP, 2 STEP .. with its lowest bit turned
+ *   damage change STEP FILE COMMAND...     byte 0, STEP, 2 STEP .. with its lowest bit flipped
  *
  * Exit 0, or 1 with the first damage that was not refused.
  */

@@ -1,16 +1,16 @@
-/* fault.c - linked into commands and tests with --wrap: makes one call, or all from one on,
- * fail, as the environment says.
+/* fault.c - fault injection, linked into commands and tests with --wrap: the environment
+ * selects one call, or all from one on, to fail.
  *
- *   FAULT="CALL N ERROR"       the N-th call of CALL fails with that number of errno
+ *   FAULT="CALL N ERROR"       the N-th call of CALL fails with errno ERROR, a number
  *   FAULT="CALL N+ ERROR"      all from the N-th on
- *   FAULT="CALL N+ short"      read and write move one byte
+ *   FAULT="CALL N+ short"      read and write transfer one byte
  *   FAULT="CALL N kill"        the process is killed there
  *   FAULT="CALL odd ERROR"     the first, the third, ..
- *   FAULT_COUNT=FILE           how many calls there were, at exit, into FILE
+ *   FAULT_COUNT=FILE           at exit, writes the number of calls to FILE
  *
- * CALL is memory, whatever asks for some, or the name of a system call.  What libraries do
- * inside themselves is not seen: FFTW, OpenBLAS and libgomp end the process where they
- * are refused; CHOLMOD is, by the functions it is given.
+ * CALL is `memory`, for all allocations, or the name of a system call.  Allocations inside
+ * FFTW, OpenBLAS and libgomp, which end the process if they fail, are not included; those of
+ * CHOLMOD are, through the functions that it is given.
  */
 #define _GNU_SOURCE
 #include <errno.h>

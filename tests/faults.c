@@ -1,14 +1,14 @@
-/* faults.c - starts a command that is linked with fault.c again and again, each time with
- * another of its calls failing, and demands the same each time.
+/* faults.c - starts a command that is linked with fault.c repeatedly, each time with another
+ * of its calls failing, and requires the same outcome each time.
  *
  *   faults refused CALL ERROR SHARE COMMAND...     exit 1, one line on stderr; nothing on
  *                                                  stdout, or not all if CALL is write
  *   faults ignored CALL ERROR SHARE COMMAND...     exit 0, the same bytes as without fault
  *
- * After call N comes call N + 1 + N/SHARE; in turn it alone fails, or it and all that follow
- * (not where faults are ignored).  With SOAK set all of the first 2000 calls fail in both
- * ways, then SHARE is 100.  ERROR is a
- * number of errno, or short.  Exit 0, or 1 with the first fault that went wrong.
+ * The call that fails next after the N-th is number N + 1 + N/SHARE.  In one run it fails
+ * alone; in another it and all later ones fail (not for `ignored`).  With SOAK set each of the
+ * first 2000 calls fails in both ways; after them SHARE is 100.  ERROR is a number of errno, or
+ * short.  Exit 0, or 1 with the first fault that had another outcome.
  */
 #include <signal.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
-"""hostile.py SOURCE TARGET CODE: the grid of SOURCE after CODE, in which g is the grid, to
-TARGET.  size(n, m) puts another surface in its place, with all that grid2lh writes."""
+"""hostile.py SOURCE TARGET CODE: reads the grid g of SOURCE, runs CODE, writes g to TARGET.
+In CODE, size(n, m) makes another grid with all the channels that grid2lh writes."""
 import sys
 
 import numpy as np

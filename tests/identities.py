@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """identities.py - the equations of doc/mathematics.md 2 and 7.1 on surfaces in isothermal coordinates.
 
-Derivatives are those of power series in (u,v), so they are exact but for rounding.  Prints
+Derivatives are those of power series in (u,v), so they are exact up to rounding.  Prints
 what does not hold, exit 1; also the ratio that the paper's printed (10) and (15) are off by."""
 import math
 import sys

@@ -1,5 +1,5 @@
-# Pipelines: a stage that fails, is killed or is cut off anywhere makes the last stage fail
-# too, without pipefail, and leaves nothing that looks complete.
+# Pipelines: if a stage fails, is killed or is cut off anywhere, the last stage fails too, also
+# without pipefail, and no output looks complete.
 
 load helper
 

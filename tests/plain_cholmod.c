@@ -1,10 +1,10 @@
-/* plain_cholmod - what mesh2rect is measured against: the two cotangent systems of a mesh
- * file solved the way one would without a second thought, by CHOLMOD with its defaults
- * (it tries AMD, then METIS when AMD's order is bad; as many BLAS threads as come).
+/* plain_cholmod - the program that mesh2rect's speed is compared with: it solves the two
+ * cotangent systems of a mesh file by CHOLMOD with its defaults (AMD, and METIS if AMD's order
+ * is bad; the default number of BLAS threads).
  *
  * usage: plain_cholmod MESH
  * prints the seconds of reading and of the two solves with their assembly, T, and the
- * peak memory of the whole process.  A program to measure with, not a test. */
+ * peak memory of the whole process.  Only for measurements: it tests nothing. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* test_border.c - the nodes of a border, places on it, and the nearest of them. */
+/* test_border.c - the nodes of a border, places on it, and nearest places. */
 #include "cmock.h"
 
 #include <math.h>

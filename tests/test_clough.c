@@ -207,8 +207,8 @@ exact_at_vertices(void **state)
 	charted_free(&s);
 }
 
-/* The derivative along the normal of side i j, out of t, of length 1 in (u,v): the
- * derivative towards the centroid without its share along the side. */
+/* The derivative along the unit normal of side i j in (u,v), pointing out of t: from the
+ * derivative towards the centroid, minus its part along the side. */
 static void
 across(const Charted *s, int t, int i, int j, double x, int k, double out[3])
 {

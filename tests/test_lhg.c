@@ -111,7 +111,7 @@ set(int nu, int nv, int n)
 }
 
 typedef struct Result {
-	int  code;              /* 0: a whole stream */
+	int  code;              /* 0: a complete stream */
 	long grids;             /* grids passed on before the failure */
 	char err[256];
 } Result;

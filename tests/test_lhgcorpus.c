@@ -1,8 +1,8 @@
-/* test_lhgcorpus.c - the samples of tests/lhg: streams that every version must read as what
- * they are, and streams, most of them with right checksums, that it must refuse.
+/* test_lhgcorpus.c - the samples of tests/lhg: streams that every version must read with the
+ * same content, and streams, most of them with valid checksums, that it must refuse.
  *
  *   test_lhgcorpus              reads them all; run from the top of the repository
- *   test_lhgcorpus write DIR    writes them to DIR/good and DIR/bad, as they were written
+ *   test_lhgcorpus write DIR    writes them to DIR/good and DIR/bad, as for tests/lhg
  *   test_lhgcorpus list         prints for each bad one its name, a tab and what is wrong
  *
  * Samples of the commands, good/v1-COMMAND.lhg, are written by tests/lhg/commands. */

@@ -1,7 +1,7 @@
-/* test_lhgdamage.c - random changes of a stream of a MiB: the grid that holds the first of
- * them is refused, so no damaged number gets through, and none behind it.
+/* test_lhgdamage.c - random changes of a stream of a MiB: the grid with the first change is
+ * refused, so neither it nor any later grid is accepted with a damaged number.
  *
- * LHG_CHANGES is how many are tried: 20000, in make soak a million. */
+ * LHG_CHANGES is the number of trials: 20000 by default, a million in make soak. */
 #include <math.h>
 
 #include "../format/lhg.h"

@@ -66,7 +66,7 @@ __wrap_free(void *p)
 
 /* A file whose turn-th call fails with code, and which transfers at most `most` bytes a call. */
 typedef struct Device {
-	Bytes  b;               /* reading: what there is; writing: what has come */
+	Bytes  b;               /* reading: the file; writing: the bytes written so far */
 	size_t at, most;
 	long   turn;
 	int    code;

@@ -1,4 +1,4 @@
-/* test_matching.c - landmarks with arc length between them, and the border between two. */
+/* test_matching.c - matching of borders by landmarks and arc length, and interpolated borders. */
 #include "cmock.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
-/* test_memory.c - every request for memory of lib/ and format/ refused in turn: an error
- * comes back, and everything that was got before is given back.
+/* test_memory.c - each allocation of lib/ and format/ fails in turn: an error is returned, and
+ * all memory allocated before is freed.
  *
- * Linked with fault.c, which says what it does not see.  After the N-th request comes the
- * N + 1 + N/SHARE-th; with SOAK set each of the first 3000.
+ * Linked with fault.c, which lists the allocations that it cannot see.  The allocation that
+ * fails next after the N-th is number N + 1 + N/SHARE; with SOAK set, each of the first 3000.
  */
 #include "cmock.h"
 

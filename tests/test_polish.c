@@ -1,4 +1,4 @@
-/* test_polish.c - locating, harmonic functions on grids, polish. */
+/* test_polish.c - locating points, harmonic functions on grids, and the polish of a map. */
 #include "cmock.h"
 
 #include <math.h>

@@ -297,7 +297,7 @@ filter_projects(void **state)
 	}
 }
 
-/* Including fields of which coefficients are zero and none is above the bound. */
+/* Including fields with coefficients of 0, and with none above the bound. */
 static void
 bound_zero_keeps_every_bit(void **state)
 {

@@ -47,7 +47,7 @@ apart() {
 	lhinfo "$tmp/phi" | grep -q "T ${T:0:9}"
 }
 
-@test "--on gives the surface back, on its own vertices and faces" {
+@test "--on gives the surface back on the vertices and faces of its mesh" {
 	for n in 16 64; do
 		mesh2rect -n $n --uv="$tmp/n.obj" "$tmp/torus.off" | grid2mesh --on="$tmp/n.obj" -o "$tmp/back$n.obj"
 		cmp <(numbers "$tmp/n.obj" f) <(numbers "$tmp/back$n.obj" f)

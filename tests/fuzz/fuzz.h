@@ -11,9 +11,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 /* Aborts with the message `what` unless ok. */
 void fuzz_need(int ok, const char *what);
 
-/* Bytes that format/ and lib/ have allocated now, and their maximum since fuzz_mark.  The linker wraps
- * their malloc, calloc, realloc and free by memory.c; a growing realloc counts old and new together,
- * as if it had to move. */
+/* Bytes that format/ and lib/ have allocated now, and their maximum since fuzz_mark.  The linker
+ * redirects their malloc, calloc, realloc and free to memory.c; a growing realloc counts the old
+ * and the new block together, as if it had to move. */
 size_t fuzz_live(void);
 size_t fuzz_peak(void);
 void   fuzz_mark(void);
