@@ -94,7 +94,7 @@ for m, p in zip(read(sys.argv[3]), read(sys.argv[4])):
         assert abs(at(m, (1 - t)*i + t*j) - want).max() < 1e-9*size, (t, i)
         assert abs(at(p, (1 - t)*i + t*j) - want).max() > 1e-3*size
     for c in "lambda", "H": assert m[c].tobytes() == p[c].tobytes()
-    # the inner rings and the lattice move by the Coons patch of the border's displacement
+    # the inner rings and the lattice move by the Coons patch of the displaced border
     u, v = np.meshgrid(np.arange(nu)/(nu - 1), np.arange(nv)/(nv - 1))
     for c in "xyz":
         d = whole(m, "band." + c) - whole(p, "band." + c)
