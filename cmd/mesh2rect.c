@@ -43,7 +43,6 @@ static const char text[] =
 "                     (Clough-Tocher over the chart) or flat [smooth]\n"
 "      --polish=N     at most N rounds that map the grid by its own metric, each kept only if\n"
 "                     the grid becomes more conformal, 0..100 [12]\n"
-"      --allow-flips  continue if the map flips triangles\n"
 "      --uv=FILE      write the mesh as it was read, with its (u,v), to FILE {uv ends}:\n"
 "                     for textures, and for grid2mesh --on; vertices of no face get -1,-1;\n"
 "                     FILE is neither MESH nor the output\n"
@@ -60,7 +59,7 @@ CMD_USAGE
 "0 for equal boundaries.  Of fits within 25 % of the best, the one that turns the mesh least\n"
 "is chosen, and this is noted: an outline may also fit upside down.\n";
 
-enum { FLIP = 256, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, ALLOW, LIKE, REVERSED, UV = CMD_UNRECORDED };
+enum { FLIP = 256, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, LIKE, REVERSED, UV = CMD_UNRECORDED };
 
 static const struct option longopt[] = {
 	{ "cells",        required_argument, NULL, 'n' },
@@ -73,7 +72,6 @@ static const struct option longopt[] = {
 	{ "max-vertices", required_argument, NULL, MOST },
 	{ "surface",      required_argument, NULL, SURFACE },
 	{ "polish",       required_argument, NULL, POLISH },
-	{ "allow-flips",  no_argument,       NULL, ALLOW },
 	{ "uv",           required_argument, NULL, UV },
 	CMD_LONGOPT
 };
@@ -125,7 +123,6 @@ map_disk(const Disk *d, const int corner[4], Chart g, const ConformalOptions *op
 	cmd_progress("mapping %d vertices", d->m.nv);
 	switch (conformal_grid(d, corner, g, options, c, &report)) {
 	case 0: break;
-	case CONFORMAL_ETURNED: die("the map flips %d triangles (--allow-flips continues)", c->turned);
 	case SPD_ENOMEM: die("no memory: the factor of %d vertices needs %.0f bytes", d->m.nv, report.bytes);
 	case SPD_ELARGE: die("%d vertices are more than the solver can number", d->m.nv);
 	default: die("the cotangent matrix is not positive definite at row %d: triangles too thin", report.column);
@@ -167,7 +164,7 @@ add_positions(Lhg *out, const Grid *grid)
 int
 main(int argc, char *argv[])
 {
-	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0 };
+	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12 };
 	const char *corners = NULL, *like = NULL, *uv = NULL;
 	Chart g = { 257, 257, 1, &CHART_RECTANGLE };
 	int opt, corner[4], flip = 0, reversed = 0;
@@ -191,7 +188,6 @@ main(int argc, char *argv[])
 		case MOST: options.map.most = opt_long(optarg, 0, 100000000, "max-vertices"); break;
 		case SURFACE: options.surface = opt_word(optarg, "facets\0smooth\0", "surface"); break;
 		case POLISH: options.polish = opt_long(optarg, 0, 100, "polish"); break;
-		case ALLOW: options.keep_turned = 1; break;
 		case UV: uv = optarg; break;
 		}
 	cmd_operands(argc, argv, 0, 1);

@@ -47,7 +47,7 @@ split_all_gives_four_of_each(void **state)
 	synth_disk("face", 300, &s, &dom, &d, NULL);
 	marked = malloc(d.m.nf);
 	memset(marked, 1, d.m.nf);
-	assert_int_equal(refine_split(&d, marked, &finer), 0);
+	assert_int_equal(refine_split(&d, marked, &finer, NULL), 0);
 	assert_int_equal(finer.m.nf, 4*d.m.nf);
 	assert_int_equal(finer.nb, 2*d.nb);
 	check_finer(&d, &finer);
@@ -86,7 +86,7 @@ split_similar_keeps_angles(void **state)
 
 	(void)state;
 	synth_disk("face", 300, &s, &dom, &d, NULL);
-	assert_int_equal(refine_split(&d, NULL, &finer), 0);
+	assert_int_equal(refine_split(&d, NULL, &finer, NULL), 0);
 	assert_int_equal(finer.m.nf, 4*d.m.nf);
 	assert_int_equal(finer.nb, 2*d.nb);
 	check_finer(&d, &finer);
@@ -113,7 +113,7 @@ split_some_is_conforming(void **state)
 		marked = calloc(d.m.nf, 1);
 		for (f = 0; f < d.m.nf; f++)
 			marked[f] = noise(&seed) > 0.7;
-		assert_int_equal(refine_split(&d, marked, &finer), 0);
+		assert_int_equal(refine_split(&d, marked, &finer, NULL), 0);
 		check_finer(&d, &finer);
 		free(marked);
 		disk_free(&d);
@@ -161,11 +161,11 @@ stops_at_the_limit(void **state)
 	(void)state;
 	synth_disk("cortex", 500, &s, &dom, &d, NULL);
 	assert_int_equal(adapt_map(&d, vertex, &(AdaptOptions){ 1e-9, 0, 3000 }, &a, &report), 0);
-	assert_true(a.certificate > 1e-9 && a.rounds > 0 && a.d.m.nv < 12000);
+	assert_true(a.certificate > 1e-9 && a.rounds > 0 && a.mesh.d.m.nv < 12000);
 	adapt_free(&a);
 	assert_int_equal(adapt_map(&d, vertex, &(AdaptOptions){ 1e-9, 2, 0 }, &a, &report), 0);
 	assert_int_equal(a.rounds, 0);
-	assert_int_equal(a.d.m.nv, d.m.nv);
+	assert_int_equal(a.mesh.d.m.nv, d.m.nv);
 	adapt_free(&a);
 	disk_free(&d);
 }

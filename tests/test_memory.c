@@ -100,7 +100,7 @@ static int
 mapped(int way)
 {
 	static const ConformalOptions options[2] = {
-		{ { 1, 0, 1000 }, SAMPLER_FACETS, 0, 1 }, { { 1e-3, 1, 1000 }, SAMPLER_SMOOTH, 1, 1 }
+		{ { 1, 0, 1000 }, SAMPLER_FACETS, 0 }, { { 1e-3, 1, 1000 }, SAMPLER_SMOOTH, 1 }
 	};
 	SpdReport report;
 	Conformal c;

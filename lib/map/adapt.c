@@ -5,11 +5,14 @@
 #include <string.h>
 
 #include "adapt.h"
+#include "harmonic.h"
 #include "rectmap.h"
-#include "../mesh/refine.h"
+#include "../mesh/topology.h"
 #include "../base/vec3.h"
 
 enum { GRADED = 3 };                    /* splits of the faces at the corners before any solve */
+enum { GROWTH = 4, FEW = 20000 };       /* splitting that has not reached the tolerance at FEW vertices, nor at
+                                         * GROWTH times the given ones, is held up by the shape of the triangles */
 static const double SHARE = 0.7;        /* of the certificate that the faces to split hold together */
 
 /* The term of triangle t in the sum for T certificate (adapt.h).  With a, b its sides at
@@ -17,8 +20,8 @@ static const double SHARE = 0.7;        /* of the certificate that the faces to 
 static double
 term(const AdaptMap *m, int t)
 {
-	const int *c = &m->d.m.tri[3*t];
-	const double *x = m->d.m.xyz;
+	const int *c = &m->mesh.d.m.tri[3*t];
+	const double *x = m->mesh.d.m.xyz;
 	double a[3], b[3], n[3], area, gaa, gab, gbb, energy;
 	double ua = m->u[c[1]] - m->u[c[0]], ub = m->u[c[2]] - m->u[c[0]];
 	double va = m->v[c[1]] - m->v[c[0]], vb = m->v[c[2]] - m->v[c[0]];
@@ -53,7 +56,7 @@ larger_first(const void *a, const void *b)
 static int
 mark(const AdaptMap *m, int most, unsigned char *marked)
 {
-	int nf = m->d.m.nf, t, k;
+	int nf = m->mesh.d.m.nf, t, k;
 	Ranked *r = malloc(nf*sizeof *r);
 	double all = 0, sum = 0;
 
@@ -73,39 +76,44 @@ mark(const AdaptMap *m, int most, unsigned char *marked)
 	return k;
 }
 
-static int
-solve(AdaptMap *m, const Disk *coarse, const int vertex[4], SpdReport *report)
+static void
+find_corners(AdaptMap *m, const int vertex[4])
 {
 	int i, k;
 
-	free(m->u);
-	free(m->v);
-	m->u = malloc(m->d.m.nv*sizeof *m->u);
-	m->v = malloc(m->d.m.nv*sizeof *m->v);
-	if (!m->u || !m->v)
-		return SPD_ENOMEM;
-	for (i = 0; i < m->d.nb; i++)
+	for (i = 0; i < m->mesh.d.nb; i++)
 		for (k = 0; k < 4; k++)
-			if (m->d.loop[i] == vertex[k])
+			if (m->mesh.d.loop[i] == vertex[k])
 				m->corner[k] = i;
-	return rectmap(&m->d, coarse, m->corner, m->u, m->v, &m->T, &m->certificate, report);
 }
 
-/* Splits the marked faces of d, which may be m's own disk, into four; the result is m's disk.
- * Frees marked. */
+/* The map of m's mesh. */
 static int
-split_marked(AdaptMap *m, const Disk *d, unsigned char *marked)
+solve(AdaptMap *m, const Disk *coarse, const int vertex[4], SpdReport *report)
 {
-	Disk finer;
-	int e = refine_split(d, marked, &finer);
+	const Disk *d = &m->mesh.d;
+	int e;
+
+	free(m->u);
+	free(m->v);
+	m->u = malloc(d->m.nv*sizeof *m->u);
+	m->v = malloc(d->m.nv*sizeof *m->v);
+	if (!m->u || !m->v)
+		return SPD_ENOMEM;
+	find_corners(m, vertex);
+	e = rectmap(d, coarse, m->corner, m->u, m->v, &m->T, &m->certificate, report);
+	return e == SPD_EINDEFINITE ? ADAPT_HARD : e;
+}
+
+/* Splits the marked faces of m's mesh into four.  Frees marked. */
+static int
+split_marked(AdaptMap *m, unsigned char *marked)
+{
+	int e = subdivision_refine(&m->mesh, marked, NULL);
 
 	free(marked);
-	if (e)
-		return SPD_ENOMEM;
-	disk_free(&m->d);
-	m->d = finer;
 	m->rounds++;
-	return 0;
+	return e ? SPD_ENOMEM : 0;
 }
 
 /* Splits the faces with the largest terms, at most `most` of them.  Returns their number, or
@@ -113,24 +121,27 @@ split_marked(AdaptMap *m, const Disk *d, unsigned char *marked)
 static int
 split_worst(AdaptMap *m, int most)
 {
-	unsigned char *marked = malloc(m->d.m.nf);
+	unsigned char *marked = malloc(m->mesh.d.m.nf);
 	int n = marked ? mark(m, most, marked) : SPD_ENOMEM;
 
 	if (n <= 0) {
 		free(marked);
 		return n;
 	}
-	return split_marked(m, &m->d, marked) ? SPD_ENOMEM : n;
+	return split_marked(m, marked) ? SPD_ENOMEM : n;
 }
 
-/* Splits and solves until the certificate is small enough, or no face can be split. */
+/* Splits and solves until the certificate is small enough, or no face can be split.  ADAPT_HARD if that
+ * takes too many vertices. */
 static int
 refine(AdaptMap *a, const AdaptOptions *o, const int vertex[4], SpdReport *report)
 {
-	int e = 0, n = 1;
+	int e = 0, n = 1, given = a->mesh.d.m.nv;
 
-	while (!e && n > 0 && a->certificate > o->tolerance && a->d.m.nv < o->most) {
-		n = split_worst(a, (o->most - a->d.m.nv)/2);
+	while (!e && n > 0 && a->certificate > o->tolerance && a->mesh.d.m.nv < o->most) {
+		if (a->mesh.d.m.nv > FEW && a->mesh.d.m.nv/GROWTH > given)
+			return ADAPT_HARD;
+		n = split_worst(a, (o->most - a->mesh.d.m.nv)/2);
 		if (n < 0)
 			e = SPD_ENOMEM;
 		else if (n > 0)
@@ -144,16 +155,13 @@ refine(AdaptMap *a, const AdaptOptions *o, const int vertex[4], SpdReport *repor
 static int
 split_all(AdaptMap *m, const AdaptOptions *o, const int vertex[4], SpdReport *report)
 {
-	Disk coarse = { 0 }, finer;
+	Disk coarse = { 0 };
 	int k, e = 0;
 
-	for (k = 0; !e && k < o->split && m->d.m.nv <= o->most/4; k++) {
-		e = refine_split(&m->d, NULL, &finer) ? SPD_ENOMEM : 0;
-		if (e)
-			break;
+	for (k = 0; !e && k < o->split && m->mesh.d.m.nv <= o->most/4; k++) {
 		disk_free(&coarse);
-		coarse = m->d;
-		m->d = finer;
+		coarse = (Disk){ 0 };
+		e = subdivision_refine(&m->mesh, NULL, &coarse) ? SPD_ENOMEM : 0;
 		m->rounds++;
 	}
 	m->quadratic = k > 0;
@@ -163,13 +171,14 @@ split_all(AdaptMap *m, const AdaptOptions *o, const int vertex[4], SpdReport *re
 	return e;
 }
 
-/* Splits the faces of d at the corners into four; the result is m's disk.  At a corner on a
+/* Splits the faces at the corners into four.  At a corner on a
  * smooth boundary the map is singular: these faces would be the first to be split anyway, and
  * a solve is saved. */
 static int
-split_corners(AdaptMap *m, const Disk *d, const int vertex[4])
+split_corners(AdaptMap *m, const int vertex[4])
 {
-	unsigned char *marked = malloc(d->m.nf), *corner = calloc(d->m.nv, 1);
+	const Mesh *mesh = &m->mesh.d.m;
+	unsigned char *marked = malloc(mesh->nf), *corner = calloc(mesh->nv, 1);
 	int t, k;
 
 	if (!marked || !corner) {
@@ -179,33 +188,44 @@ split_corners(AdaptMap *m, const Disk *d, const int vertex[4])
 	}
 	for (k = 0; k < 4; k++)
 		corner[vertex[k]] = 1;
-	for (t = 0; t < d->m.nf; t++) {
-		const int *c = &d->m.tri[3*t];
+	for (t = 0; t < mesh->nf; t++) {
+		const int *c = &mesh->tri[3*(size_t)t];
 
 		marked[t] = corner[c[0]] | corner[c[1]] | corner[c[2]];
 	}
 	free(corner);
-	return split_marked(m, d, marked);
+	return split_marked(m, marked);
 }
 
-static void *
-duplicate(const void *p, size_t bytes)
-{
-	void *q = malloc(bytes);
-
-	return q ? memcpy(q, p, bytes) : NULL;
-}
-
-/* A deep copy of the mesh, the loop and the twins of d. */
+/* Splits the inner edges between two vertices of one side of the rectangle: the triangles that they
+ * cut off would be flat. */
 static int
-copy_disk(const Disk *d, Disk *copy)
+split_chords(AdaptMap *m, const int vertex[4])
 {
-	*copy = (Disk){ .m = { .nv = d->m.nv, .nf = d->m.nf }, .nb = d->nb };
-	copy->m.xyz = duplicate(d->m.xyz, 3*(size_t)d->m.nv*sizeof(double));
-	copy->m.tri = duplicate(d->m.tri, 3*(size_t)d->m.nf*sizeof(int));
-	copy->loop = duplicate(d->loop, d->nb*sizeof(int));
-	copy->twin = duplicate(d->twin, 3*(size_t)d->m.nf*sizeof(int));
-	return copy->m.xyz && copy->m.tri && copy->loop && copy->twin ? 0 : SPD_ENOMEM;
+	const Disk *d = &m->mesh.d;
+	unsigned char *side = malloc(d->m.nv);
+	SurfacePoint *point = malloc(3*(size_t)d->m.nf*sizeof *point);
+	int h, n = 0;
+
+	if (side && point) {
+		find_corners(m, vertex);
+		harmonic_sides(d, m->corner, side);
+		for (h = 0; h < 3*d->m.nf; h++)
+			if (d->twin[h] > h && side[d->m.tri[h]] & side[d->m.tri[topology_next(h)]])
+				point[n++] = subdivision_on_side(h, 0.5);
+		n = n > 0 ? subdivision_add(&m->mesh, n, point) : 0;
+	} else
+		n = SPD_ENOMEM;
+	free(side);
+	free(point);
+	return n < 0 ? SPD_ENOMEM : 0;
+}
+
+/* Whether all triangles keep their side up, and an area. */
+static int
+is_embedded(const AdaptMap *m)
+{
+	return rectmap_flipped(&m->mesh.d.m, m->u, m->v) == 0 && rectmap_flat(&m->mesh.d.m, m->u, m->v) == 0;
 }
 
 int
@@ -214,15 +234,20 @@ adapt_map(const Disk *d, const int vertex[4], const AdaptOptions *o, AdaptMap *a
 	int graded = o->tolerance < 1 && d->m.nv < o->most, e, k;
 
 	memset(a, 0, sizeof *a);
-	e = graded ? split_corners(a, d, vertex) : copy_disk(d, &a->d);
-	for (k = 1; !e && graded && k < GRADED && a->d.m.nv < o->most; k++)
-		e = split_corners(a, &a->d, vertex);
+	memset(report, 0, sizeof *report);
+	e = subdivision_init(&a->mesh, d) ? SPD_ENOMEM : 0;
+	for (k = 0; !e && graded && k < GRADED && a->mesh.d.m.nv < o->most; k++)
+		e = split_corners(a, vertex);
+	if (!e && graded)
+		e = split_chords(a, vertex);
 	if (!e)
 		e = solve(a, NULL, vertex, report);
 	if (!e)
 		e = refine(a, o, vertex, report);
 	if (!e)
 		e = split_all(a, o, vertex, report);
+	if (!e && !is_embedded(a))
+		e = ADAPT_HARD;
 	if (e)
 		adapt_free(a);
 	return e;
@@ -231,7 +256,7 @@ adapt_map(const Disk *d, const int vertex[4], const AdaptOptions *o, AdaptMap *a
 void
 adapt_free(AdaptMap *a)
 {
-	disk_free(&a->d);
+	subdivision_free(&a->mesh);
 	free(a->u);
 	free(a->v);
 	a->u = a->v = NULL;

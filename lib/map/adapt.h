@@ -3,7 +3,7 @@
 #ifndef ADAPT_H
 #define ADAPT_H
 
-#include "../mesh/mesh.h"
+#include "../mesh/subdivision.h"
 #include "../sparse/spd.h"
 
 /* With v = T v1 the energies of a map satisfy E(u) + T^2 E(v1) = 2 T (1 + certificate), and
@@ -26,16 +26,19 @@ typedef struct AdaptOptions {
 } AdaptOptions;
 
 typedef struct AdaptMap {
-	Disk    d;              /* the triangulation of the last solve; its first vertices
-	                         * are those of the given disk */
+	Subdivision mesh;       /* the triangulation of the last solve */
 	int     corner[4];      /* indices into its loop */
 	double *u, *v, T, certificate;
 	int     rounds;         /* of splitting done */
 	int     quadratic;      /* 1 if the last solve was with quadratic elements */
 } AdaptMap;
 
-/* vertex: the corners, as vertex numbers.  Returns 0, or SPD_ENOMEM, SPD_EINDEFINITE,
- * SPD_ELARGE; on an error a holds nothing to free. */
+/* The mesh is not for this method: a triangle of the last solve is turned over or flat in (u,v), or the
+ * tolerance needs too many vertices.  intrinsic_map does better. */
+enum { ADAPT_HARD = -20 };
+
+/* vertex: the corners, as vertex numbers.  Returns 0, or ADAPT_HARD, SPD_ENOMEM, SPD_EINDEFINITE,
+ * SPD_ELARGE; if not 0, a holds nothing to free. */
 int adapt_map(const Disk *d, const int vertex[4], const AdaptOptions *options, AdaptMap *a,
 	SpdReport *report);
 

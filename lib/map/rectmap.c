@@ -4,25 +4,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../sparse/chol.h"
+#include "harmonic.h"
 #include "rectmap.h"
 
 enum { NUMBERS = 40 };  /* per vertex, about: the matrix and its order */
 
-/* C_ff x_f = -C_fs x_s for the free vertices f, with the values of the side vertices s given.
- * This part is shared by both systems. */
-typedef struct Harmonic {
-	Cotangent C;
-	double   *diagonal;     /* [nv] */
-	Chol      chol;
-} Harmonic;
+/* What both systems share. */
+typedef struct System {
+	Cotangent      C;
+	Harmonic       h;
+	unsigned char *side;
+} System;
 
 static void
-release(Harmonic *h)
+release(System *s)
 {
-	chol_free(&h->chol);
-	cotangent_free(&h->C);
-	free(h->diagonal);
+	chol_free(&s->h.chol);
+	free(s->h.diagonal);
+	cotangent_free(&s->C);
+	free(s->side);
 }
 
 /* The matrix of quadratic elements on `coarse`; d is coarse with all triangles split. */
@@ -44,17 +44,17 @@ quadratic(const Disk *d, const Disk *coarse, Cotangent *C)
 
 /* Symbolic factorization; at the same time, with `values`, the entries of the matrix. */
 static int
-plan(const Disk *d, int values, Harmonic *h, const int *order)
+plan(const Disk *d, int values, System *s, const int *order)
 {
 	int e;
 
 #pragma omp parallel sections
 	{
 #pragma omp section
-		e = chol_init(&h->chol, &h->C.g, order);
+		e = chol_init(&s->h.chol, &s->C.g, order);
 #pragma omp section
 		if (values)
-			cotangent_values(&h->C, d);
+			cotangent_values(&s->C, d);
 	}
 	return e;
 }
@@ -62,86 +62,41 @@ plan(const Disk *d, int values, Harmonic *h, const int *order)
 /* The matrix and the plan of its factor: of linear elements on d, or of quadratic ones on
  * coarse. */
 static int
-prepare(const Disk *d, const Disk *coarse, Harmonic *h)
+prepare(const Disk *d, const Disk *coarse, const int corner[4], System *s)
 {
-	int *order = malloc(d->m.nv*sizeof *order), i, k, e;
+	int *order = malloc(d->m.nv*sizeof *order), e;
 
-	memset(h, 0, sizeof *h);
-	h->diagonal = calloc(d->m.nv, sizeof *h->diagonal);
-	e = !order || !h->diagonal || (coarse ? quadratic(d, coarse, &h->C) : cotangent_graph(&h->C, d))
-	    || order_graph(&h->C.g, order);
+	memset(s, 0, sizeof *s);
+	s->h.diagonal = malloc(d->m.nv*sizeof *s->h.diagonal);
+	s->side = malloc(d->m.nv);
+	e = !order || !s->h.diagonal || !s->side || (coarse ? quadratic(d, coarse, &s->C) : cotangent_graph(&s->C, d))
+	    || order_graph(&s->C.g, order);
 	if (!e)
-		e = plan(d, !coarse, h, order);
-	for (i = 0; !e && i < d->m.nv; i++)
-		for (k = h->C.g.first[i]; k < h->C.g.first[i+1]; k++)
-			h->diagonal[i] -= h->C.c[k];
+		e = plan(d, !coarse, s, order);
 	free(order);
-	return e ? SPD_ENOMEM : 0;
-}
-
-/* Sets the vertices of a side, from corner a to corner b of the loop, to a value. */
-static void
-set_side(const Disk *d, int a, int b, double value, double *x, unsigned char *held)
-{
-	int i;
-
-	for (i = a; ; i = (i + 1)%d->nb) {
-		x[d->loop[i]] = value;
-		held[d->loop[i]] = 1;
-		if (i == b)
-			break;
-	}
-}
-
-/* x_f = -C_fs x_s; x_f is 0 on entry. */
-static void
-right_hand_side(const Cotangent *C, const unsigned char *held, double *x)
-{
-	int i, k;
-
-	for (i = 0; i < C->g.n; i++)
-		for (k = C->g.first[i]; held[i] && k < C->g.first[i+1]; k++)
-			if (!held[C->g.adj[k]])
-				x[C->g.adj[k]] -= C->c[k]*x[i];
-}
-
-/* The harmonic x that is 0 on the side that begins at corner k and 1 on the opposite one. */
-static int
-solve(const Disk *d, const int corner[4], int k, Harmonic *h, double *x, SpdReport *report)
-{
-	unsigned char *held = calloc(d->m.nv, 1);
-	CholMatrix a = { h->diagonal, h->C.c, held };
-	int i, e;
-
-	if (!held)
+	if (e)
 		return SPD_ENOMEM;
-	memset(x, 0, d->m.nv*sizeof *x);
-	set_side(d, corner[k], corner[(k+1)%4], 0, x, held);
-	set_side(d, corner[(k+2)%4], corner[(k+3)%4], 1, x, held);
-	right_hand_side(&h->C, held, x);
-	e = chol_solve(&h->chol, &a, x, &report->column);
-	for (i = 0; !e && i < d->m.nv; i++)
-		if (!isfinite(x[i])) {
-			report->column = i;
-			e = CHOL_EINDEFINITE;
-		}
-	free(held);
-	return e == CHOL_ENOMEM ? SPD_ENOMEM : e ? SPD_EINDEFINITE : 0;
+	s->h.g = &s->C.g;
+	s->h.off = s->C.c;
+	s->h.side = s->side;
+	harmonic_sides(d, corner, s->side);
+	harmonic_diagonal(&s->h);
+	return 0;
 }
 
 /* u and v1, the map (4) before v1 is multiplied by T. */
 static int
 harmonic_pair(const Disk *d, const Disk *coarse, const int corner[4], double *u, double *v, SpdReport *report)
 {
-	Harmonic h;
-	int e = prepare(d, coarse, &h);
+	System s;
+	int e = prepare(d, coarse, corner, &s);
 
-	report->bytes = chol_bytes(&h.chol);
+	report->bytes = chol_bytes(&s.h.chol);
 	if (!e)
-		e = solve(d, corner, 3, &h, u, report);
+		e = harmonic_solve(&s.h, SIDE_LEFT, SIDE_RIGHT, u, report);
 	if (!e)
-		e = solve(d, corner, 0, &h, v, report);
-	release(&h);
+		e = harmonic_solve(&s.h, SIDE_BOTTOM, SIDE_TOP, v, report);
+	release(&s);
 	return e;
 }
 
@@ -188,15 +143,31 @@ rectmap(const Disk *d, const Disk *coarse, const int corner[4], double *u, doubl
 	return 0;
 }
 
+/* Twice the (u,v) area of triangle t. */
+static double
+image(const Mesh *m, int t, const double *u, const double *v)
+{
+	const int *c = &m->tri[3*(size_t)t];
+
+	return (u[c[1]] - u[c[0]])*(v[c[2]] - v[c[0]]) - (u[c[2]] - u[c[0]])*(v[c[1]] - v[c[0]]);
+}
+
 int
 rectmap_flipped(const Mesh *m, const double *u, const double *v)
 {
-	int t, flipped = 0;
+	int t, n = 0;
 
-	for (t = 0; t < m->nf; t++) {
-		int a = m->tri[3*t], b = m->tri[3*t+1], c = m->tri[3*t+2];
+	for (t = 0; t < m->nf; t++)
+		n += image(m, t, u, v) < 0;
+	return n;
+}
 
-		flipped += (u[b] - u[a])*(v[c] - v[a]) - (u[c] - u[a])*(v[b] - v[a]) < 0;
-	}
-	return flipped;
+int
+rectmap_flat(const Mesh *m, const double *u, const double *v)
+{
+	int t, n = 0;
+
+	for (t = 0; t < m->nf; t++)
+		n += image(m, t, u, v) == 0;
+	return n;
 }

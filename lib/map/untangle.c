@@ -117,21 +117,38 @@ relax(const Tangle *t)
 	}
 }
 
-static int
-run(Tangle *t, const int corner[4], int *turned)
+/* The best (u,v) so far. */
+typedef struct Best {
+	double *u, *v;
+	int     turned;
+} Best;
+
+static void
+keep_if_better(const Tangle *t, Best *best)
 {
-	const Mesh *m = &t->d->m;
+	int turned = rectmap_flipped(&t->d->m, t->u, t->v);
+
+	if (turned >= best->turned)
+		return;
+	best->turned = turned;
+	memcpy(best->u, t->u, t->d->m.nv*sizeof *best->u);
+	memcpy(best->v, t->v, t->d->m.nv*sizeof *best->v);
+}
+
+static int
+run(Tangle *t, const int corner[4], Best *best)
+{
 	int ring, sweep, e = 0;
 
 	mark_side(t, corner[0], corner[1], HOLD_V);
 	mark_side(t, corner[1], corner[2], HOLD_U);
 	mark_side(t, corner[2], corner[3], HOLD_V);
 	mark_side(t, corner[3], corner[0], HOLD_U);
-	for (ring = 0; ring < RINGS && *turned > 0 && !e; ring++) {
+	for (ring = 0; ring < RINGS && best->turned > 0 && !e; ring++) {
 		e = mark_moving(t, ring > 0);
-		for (sweep = 0; sweep < SWEEPS && *turned > 0 && !e; sweep++) {
+		for (sweep = 0; sweep < SWEEPS && best->turned > 0 && !e; sweep++) {
 			relax(t);
-			*turned = rectmap_flipped(m, t->u, t->v);
+			keep_if_better(t, best);
 		}
 	}
 	return e;
@@ -141,17 +158,21 @@ int
 untangle(const Disk *d, const int corner[4], double *u, double *v, int *turned)
 {
 	size_t nv = d->m.nv;
-	Tangle t = { d, u, v, NULL, NULL, NULL };
+	double *room = malloc(2*nv*sizeof *room);
+	Tangle t = { d, u, v, calloc(nv, 1), calloc(nv, 1), malloc(3*nv*sizeof *t.sum) };
+	Best best = { room, room + nv, 0 };
 	int e = UNTANGLE_ENOMEM;
 
-	*turned = rectmap_flipped(&d->m, u, v);
-	if (*turned == 0)
-		return 0;
-	t.hold = calloc(nv, 1);
-	t.moving = calloc(nv, 1);
-	t.sum = malloc(3*nv*sizeof *t.sum);
-	if (t.hold && t.moving && t.sum)
-		e = run(&t, corner, turned);
+	best.turned = rectmap_flipped(&d->m, u, v);
+	if (room && t.hold && t.moving && t.sum) {
+		memcpy(best.u, u, nv*sizeof *u);
+		memcpy(best.v, v, nv*sizeof *v);
+		e = run(&t, corner, &best);
+		memcpy(u, best.u, nv*sizeof *u);
+		memcpy(v, best.v, nv*sizeof *v);
+	}
+	*turned = best.turned;
+	free(room);
 	free(t.hold);
 	free(t.moving);
 	free(t.sum);

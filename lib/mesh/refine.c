@@ -289,8 +289,22 @@ build(Split *s, Disk *finer)
 	return emit_loop(s, finer);
 }
 
+/* The ends of the side of each new vertex, of nv vertices in all. */
+static int (*
+ends_of_cuts(const Split *s, int nv))[2]
+{
+	int side, (*ends)[2] = malloc((size_t)(nv - s->d->m.nv)*sizeof *ends + 1);
+
+	for (side = 0; ends && side < 3*s->t.nf; side++)
+		if (s->mid[side] >= 0) {
+			ends[s->mid[side] - s->d->m.nv][0] = topology_from(&s->t, side);
+			ends[s->mid[side] - s->d->m.nv][1] = topology_to(&s->t, side);
+		}
+	return ends;
+}
+
 int
-refine_split(const Disk *d, const unsigned char *marked, Disk *finer)
+refine_split(const Disk *d, const unsigned char *marked, Disk *finer, int (**ends)[2])
 {
 	Split s = { .similar = !marked, .d = d, .t = { .nv = d->m.nv, .nf = d->m.nf, .tri = d->m.tri, .twin = d->twin } };
 	size_t sides = 3*(size_t)d->m.nf;
@@ -303,6 +317,10 @@ refine_split(const Disk *d, const unsigned char *marked, Disk *finer)
 		memset(s.mid, -1, sides*sizeof *s.mid);
 		cut_until_conforming(&s, marked);
 		e = build(&s, finer);
+	}
+	if (!e && ends) {
+		*ends = ends_of_cuts(&s, finer->m.nv);
+		e = *ends ? 0 : MESH_ENOMEM;
 	}
 	if (e)
 		disk_free(finer);

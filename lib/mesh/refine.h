@@ -11,7 +11,9 @@
  *
  * finer  out  a disk of the same surface (its note and err are ""); disk_free it
  *
- * Returns 0 or MESH_ENOMEM; finer then holds nothing to free. */
-int refine_split(const Disk *d, const unsigned char *marked, Disk *finer);
+ * ends   out  [finer->m.nv - d->m.nv] the ends of the edge of each new vertex; free it.  May be NULL
+ *
+ * Returns 0 or MESH_ENOMEM; finer and ends then hold nothing to free. */
+int refine_split(const Disk *d, const unsigned char *marked, Disk *finer, int (**ends)[2]);
 
 #endif

@@ -95,12 +95,39 @@ place(double x, double length, int n)
 	return i >= n ? n - 1 : i > 0 ? (int)i : 0;
 }
 
+/* The corner of the chart at (x,y), 0..3 as in Locator, or -1. */
+static int
+corner_at(const Locator *l, double x, double y)
+{
+	return (x != 0 && x != 1) || (y != 0 && y != l->T) ? -1 : (x == 1) + 2*(y == l->T);
+}
+
+static void
+find_corners(Locator *l)
+{
+	int s, c;
+
+	for (c = 0; c < 4; c++)
+		l->corner[c] = -1;
+	for (s = 0; s < 3*l->m->nf; s++) {
+		c = corner_at(l, l->u[l->m->tri[s]], l->v[l->m->tri[s]]);
+		if (c >= 0 && l->corner[c] < 0)
+			l->corner[c] = s;
+	}
+}
+
 int
 locate(const Locator *l, double x, double y, double bary[3])
 {
 	int t = l->start[place(y, l->T, l->ny)*l->nx + place(x, 1, l->nx)], k;
+	int corner = corner_at(l, x, y);
 	double sum = 0;
 
+	if (corner >= 0 && l->corner[corner] >= 0) {
+		for (k = 0; k < 3; k++)
+			bary[k] = k == l->corner[corner]%3;
+		return l->corner[corner]/3;
+	}
 	t = walk(l, t, x, y, bary);
 	t = search(l, t, x, y, bary);
 	for (k = 0; k < 3; k++)
@@ -140,6 +167,7 @@ locator_init(Locator *l, const Disk *d, const double *u, const double *v, double
 	if (!l->start)
 		return MESH_ENOMEM;
 	fill_table(l);
+	find_corners(l);
 	return 0;
 }
 

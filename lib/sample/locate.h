@@ -11,6 +11,8 @@ typedef struct Locator {
 	int          *start;    /* [ny][nx] a triangle near each cell of a table over the chart */
 	int           nx, ny;
 	double        T;
+	int           corner[4];        /* a side 3*t + k whose triangle t has its corner k at (0,0), (1,0), (0,T),
+	                                 * (1,T); -1 if there is none */
 } Locator;
 
 /* Prepares to locate points of [0,1] x [0,T] in d mapped by u, v, which must outlive l.
@@ -21,7 +23,8 @@ void locator_free(Locator *l);
 /* The triangle that contains (x,y), and its barycentric coordinates there, each in 0..1.
  * Found by a walk from the triangle of the table.  If no triangle contains the point, which can
  * happen among turned or flat triangles: the one in which it lies deepest, with negative
- * coordinates set to 0.  May be called from several threads. */
+ * coordinates set to 0.  At a corner of the chart: the vertex there, although others may be as near to it as
+ * rounding allows.  May be called from several threads. */
 int  locate(const Locator *l, double x, double y, double bary[3]);
 
 #endif

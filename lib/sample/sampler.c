@@ -32,6 +32,9 @@ void
 sampler_free(Sampler *s)
 {
 	locator_free(&s->l);
+	locator_free(&s->under);
+	free(s->smooth);
+	s->smooth = NULL;
 	stars_free(&s->stars);
 	free(s->jet);
 	free(s->state);
@@ -39,11 +42,77 @@ sampler_free(Sampler *s)
 	s->state = NULL;
 }
 
-/* A point of the chart as barycentric coordinates 1 and 2 in triangle t. */
+/* smooth is 0 at the vertices of triangles that are turned over or flat, 1 at the others. */
+static void
+mark_unturned(const Locator *l, double *smooth)
+{
+	int i, t, k;
+
+	for (i = 0; i < l->m->nv; i++)
+		smooth[i] = 1;
+	for (t = 0; t < l->m->nf; t++) {
+		const int *c = &l->m->tri[3*t];
+		double bu = l->u[c[1]] - l->u[c[0]], bv = l->v[c[1]] - l->v[c[0]];
+		double cu = l->u[c[2]] - l->u[c[0]], cv = l->v[c[2]] - l->v[c[0]];
+
+		for (k = 0; k < 3 && !(bu*cv - cu*bv > 0); k++)
+			smooth[c[k]] = 0;
+	}
+}
+
+int
+sampler_overlay(Sampler *s, const Subdivision *o, const double *u, const double *v)
+{
+	double *smooth = malloc(s->l.m->nv*sizeof *smooth);
+
+	s->smooth = malloc(o->d.m.nv*sizeof *s->smooth);
+	if (!smooth || !s->smooth || locator_init(&s->under, &o->d, u, v, s->l.T)) {
+		free(smooth);
+		return SAMPLER_ENOMEM;
+	}
+	mark_unturned(&s->l, smooth);
+	subdivision_extend(o, 1, smooth, s->smooth);
+	free(smooth);
+	s->overlay = o;
+	return 0;
+}
+
+/* A point of the chart as barycentric coordinates 1 and 2 in triangle t of the mesh, and in triangle f
+ * of the overlay. */
 typedef struct Place {
-	int    t;
-	double w[2];
+	int    t, f;
+	double w[2], b[2];
+	double smooth;          /* share of the smooth surface */
 } Place;
+
+/* A number given at the vertices of m, linear in triangle t. */
+static double
+linear(const Mesh *m, int t, const double w[2], const double *x, int stride)
+{
+	const int *c = &m->tri[3*(size_t)t];
+
+	return (1 - w[0] - w[1])*x[(size_t)stride*c[0]] + w[0]*x[(size_t)stride*c[1]] + w[1]*x[(size_t)stride*c[2]];
+}
+
+static Place
+find_place(const Sampler *s, double x, double y)
+{
+	Place p = { 0, 0, { 0, 0 }, { 0, 0 }, 1 };
+	double w[3];
+
+	if (s->overlay) {
+		p.f = locate(&s->under, x, y, w);
+		p.b[0] = w[1], p.b[1] = w[2];
+		p.smooth = linear(&s->overlay->d.m, p.f, p.b, s->smooth, 1);
+		if (p.smooth == 0)
+			return p;
+	}
+	p.t = locate(&s->l, x, y, w);
+	p.w[0] = w[1], p.w[1] = w[2];
+	if (s->overlay)
+		p.smooth = fmin(p.smooth, linear(s->l.m, p.t, p.w, s->smooth, 1));
+	return p;
+}
 
 /* The places of n points (x,y), to be freed; NULL without memory. */
 static Place *
@@ -55,12 +124,8 @@ find_places(const Sampler *s, int n, const double *x, const double *y)
 	if (!place)
 		return NULL;
 	#pragma omp parallel for schedule(static)
-	for (p = 0; p < n; p++) {
-		double w[3];
-		int t = locate(&s->l, x[p], y[p], w);
-
-		place[p] = (Place){ t, { w[1], w[2] } };
-	}
+	for (p = 0; p < n; p++)
+		place[p] = find_place(s, x[p], y[p]);
 	return place;
 }
 
@@ -74,7 +139,7 @@ mark_corners(const Mesh *m, int n, const Place *place, unsigned char *state)
 	for (p = 0; p < n; p++) {
 		int k;
 
-		for (k = 0; k < 3; k++) {
+		for (k = 0; k < 3 && place[p].smooth > 0; k++) {
 			unsigned char *here = &state[m->tri[3*place[p].t + k]], is;
 
 			#pragma omp atomic read
@@ -87,39 +152,59 @@ mark_corners(const Mesh *m, int n, const Place *place, unsigned char *state)
 	}
 }
 
+/* The mesh of the triangles t with its jets, and that of the triangles f of the overlay. */
+typedef struct Surfaces {
+	const Mesh    *m, *under;
+	unsigned char *state;
+	Jet           *jet;
+} Surfaces;
+
 static void
-sample(const Sampler *s, const Mesh *m, const Jet *jet, const Place *p, double phi[3])
+sample_linear(const Mesh *m, int t, const double w[2], double phi[3])
 {
-	const Clough clough = { m, s->l.u, s->l.v, jet };
-	const double w[3] = { 1 - p->w[0] - p->w[1], p->w[0], p->w[1] };
-	const int *v = &m->tri[3*p->t];
 	int c;
 
-	if (s->surface == SAMPLER_SMOOTH) {
-		clough_eval(&clough, p->t, w, phi);
-		return;
-	}
 	for (c = 0; c < 3; c++)
-		phi[c] = w[0]*m->xyz[3*v[0]+c] + w[1]*m->xyz[3*v[1]+c] + w[2]*m->xyz[3*v[2]+c];
+		phi[c] = linear(m, t, w, m->xyz + c, 3);
 }
 
-/* The first `dimensions` coordinates of mesh m at n places; state and jet are those of m. */
 static void
-sample_places(const Sampler *s, const Mesh *m, unsigned char *state, Jet *jet, int n, const Place *place,
-	int dimensions, double *const phi[])
+sample(const Sampler *s, const Surfaces *on, const Place *p, double phi[3])
+{
+	const Clough clough = { on->m, s->l.u, s->l.v, on->jet };
+	const double w[3] = { 1 - p->w[0] - p->w[1], p->w[0], p->w[1] };
+	double facet[3];
+	int c;
+
+	if (s->surface != SAMPLER_SMOOTH) {
+		sample_linear(on->m, p->t, p->w, phi);
+		return;
+	}
+	if (p->smooth > 0)
+		clough_eval(&clough, p->t, w, phi);
+	if (p->smooth == 1)
+		return;
+	sample_linear(on->under, p->f, p->b, facet);
+	for (c = 0; c < 3; c++)
+		phi[c] = p->smooth > 0 ? facet[c] + p->smooth*(phi[c] - facet[c]) : facet[c];
+}
+
+/* The first `dimensions` coordinates at n places. */
+static void
+sample_places(const Sampler *s, const Surfaces *on, int n, const Place *place, int dimensions, double *const phi[])
 {
 	int p;
 
 	if (s->surface == SAMPLER_SMOOTH) {
-		mark_corners(m, n, place, state);
-		gradient_fit(&s->stars, m, s->l.u, s->l.v, state, jet);
+		mark_corners(on->m, n, place, on->state);
+		gradient_fit(&s->stars, on->m, s->l.u, s->l.v, on->state, on->jet);
 	}
 	#pragma omp parallel for schedule(static)
 	for (p = 0; p < n; p++) {
 		double at[3];
 		int c;
 
-		sample(s, m, jet, &place[p], at);
+		sample(s, on, &place[p], at);
 		for (c = 0; c < dimensions; c++)
 			phi[c][p] = at[c];
 	}
@@ -132,25 +217,24 @@ sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double
 
 	if (!place)
 		return SAMPLER_ENOMEM;
-	sample_places(s, s->l.m, s->state, s->jet, g.nu*g.nv, place, 3, phi);
+	sample_places(s, &(Surfaces){ s->l.m, s->under.m, s->state, s->jet }, g.nu*g.nv, place, 3, phi);
 	free(place);
 	return 0;
 }
 
-/* Number k of a channel over the chart as a surface: (f, a u, a v), a the range of f. */
+/* A scalar f over the chart as a surface: (f, a u, a v), a the range of f. */
 static void
-graph(const Sampler *s, const Channel *c, int k, double *xyz)
+graph(const Sampler *s, const double *f, int stride, double *xyz)
 {
-	const double *f = c->f + k;
 	double lo = HUGE_VAL, hi = -HUGE_VAL;
 	int i, nv = s->l.m->nv;
 
-	for (i = 0; i < nv; i++) {
-		lo = fmin(lo, f[(size_t)c->n*i]);
-		hi = fmax(hi, f[(size_t)c->n*i]);
+	for (i = 0; i < nv; i++, f += stride) {
+		lo = fmin(lo, *f);
+		hi = fmax(hi, *f);
 	}
-	for (i = 0; i < nv; i++, xyz += 3) {
-		xyz[0] = f[(size_t)c->n*i];
+	for (f -= (size_t)nv*stride, i = 0; i < nv; i++, f += stride, xyz += 3) {
+		xyz[0] = *f;
 		xyz[1] = (hi - lo)*s->l.u[i];
 		xyz[2] = (hi - lo)*s->l.v[i];
 	}
@@ -161,18 +245,21 @@ sampler_channel(const Sampler *s, const Channel *c, Chart g, const double *x, co
 	double *const out[])
 {
 	Place *place = find_places(s, g.nu*g.nv, x, y);
-	size_t nv = s->l.m->nv;
+	size_t nv = s->l.m->nv, nu = s->overlay ? (size_t)s->overlay->d.m.nv : nv;
 	unsigned char *state = malloc(nv);
 	Jet *jet = malloc(nv*sizeof *jet);
-	Mesh m = *s->l.m;
+	Mesh m = *s->l.m, under = s->overlay ? s->overlay->d.m : m;
 	int k, e = SAMPLER_ENOMEM;
 
 	m.xyz = malloc(3*nv*sizeof *m.xyz);
-	if (place && state && jet && m.xyz) {
+	under.xyz = malloc(3*nu*sizeof *under.xyz);
+	if (place && state && jet && m.xyz && under.xyz) {
 		for (k = 0; k < c->n; k++) {
 			memset(state, 0, nv);
-			graph(s, c, k, m.xyz);
-			sample_places(s, &m, state, jet, g.nu*g.nv, place, 1, &out[k]);
+			graph(s, c->f + k, c->n, m.xyz);
+			if (s->overlay)
+				subdivision_extend(s->overlay, 3, m.xyz, under.xyz);
+			sample_places(s, &(Surfaces){ &m, &under, state, jet }, g.nu*g.nv, place, 1, &out[k]);
 		}
 		e = 0;
 	}
@@ -180,5 +267,6 @@ sampler_channel(const Sampler *s, const Channel *c, Chart g, const double *x, co
 	free(state);
 	free(jet);
 	free(m.xyz);
+	free(under.xyz);
 	return e;
 }

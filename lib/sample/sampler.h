@@ -3,6 +3,7 @@
 #define SAMPLER_H
 
 #include "../base/chart.h"
+#include "../mesh/subdivision.h"
 #include "clough.h"
 #include "locate.h"
 
@@ -19,12 +20,27 @@ typedef struct Sampler {
 	Stars   stars;          /* this and the rest for SAMPLER_SMOOTH only */
 	Jet    *jet;            /* [nv] of the positions, where state is GRADIENT_KNOWN */
 	unsigned char *state;   /* [nv] 0, or a state of gradient.h */
+	const Subdivision *overlay;     /* of sampler_overlay, or NULL; the rest is for it */
+	Locator under;
+	double *smooth;         /* [overlay->d.m.nv] 1 where the smooth surface is used, 0 where the facets
+	                         * are, linear between vertices; its first numbers are those of
+	                         * the vertices of l.m */
 } Sampler;
 
 /* d mapped by u, v onto [0,1] x [0,T]; all three must outlive s.  Returns 0 or
  * SAMPLER_ENOMEM. */
 int  sampler_init(Sampler *s, const Disk *d, const double *u, const double *v, double T, int surface);
 void sampler_free(Sampler *s);
+
+/* For a smooth surface some of whose triangles are turned over or flat in (u,v), although the map
+ * of the surface itself is one to one: the straight image of a thin triangle need not be near its
+ * true one.  Near these triangles the facets are sampled instead, by a finer disk of the
+ * same surface, none of whose triangles is turned.  The change is gradual, from vertex to vertex.
+ *
+ * o, u, v   a subdivision of the disk of sampler_init and its map; they must outlive s.
+ *
+ * Returns 0 or SAMPLER_ENOMEM; s is to be freed in both cases. */
+int  sampler_overlay(Sampler *s, const Subdivision *o, const double *u, const double *v);
 
 /* phi (11) at every node of g (24); (x,y) is the place of each node (23) in the chart of the
  * mesh; all [nv][nu].  Computes the jets that it needs and keeps them in s, so it must not run

@@ -1,0 +1,198 @@
+/* flips.c - flips of an intrinsic triangulation. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "crossings.h"
+#include "flips.h"
+
+enum { FLIPS = 400, TIES = 10 };        /* per triangle, at most: of all, of those between equal choices */
+static const double COCIRCULAR = 1e-10; /* cotangents whose sum is this small, against them or against 1,
+                                         * count as opposite: either diagonal is Delaunay */
+static const double EQUAL = 1e-9;       /* relative difference of equal lengths, or keys */
+
+/* A side that gets another number. */
+typedef struct Moved {
+	int twin, edge, leads;  /* leads: its edge has its direction */
+} Moved;
+
+static Moved
+take_side(const Intrinsic *t, int h)
+{
+	return (Moved){ t->twin[h], t->edge[h], t->side[t->edge[h]] == h };
+}
+
+static void
+put_side(Intrinsic *t, int h, Moved m)
+{
+	t->twin[h] = m.twin;
+	t->edge[h] = m.edge;
+	if (m.twin >= 0)
+		t->twin[m.twin] = h;
+	if (m.leads)
+		t->side[m.edge] = h;
+}
+
+/* The four outer sides of the quadrilateral of an edge move up by one.  Two of them may be twins
+ * of each other. */
+static void
+turn_outer_sides(Intrinsic *t, const int old[4], const int new[4])
+{
+	Moved m[4];
+	int i, j;
+
+	for (i = 0; i < 4; i++)
+		m[i] = take_side(t, old[i]);
+	for (i = 0; i < 4; i++)
+		for (j = 0; j < 4; j++)
+			if (m[i].twin == old[j]) {
+				m[i].twin = new[j];
+				break;
+			}
+	for (i = 0; i < 4; i++)
+		put_side(t, new[i], m[i]);
+}
+
+/* Replaces the edge of side h, from i to j, by the other diagonal, from k to l. */
+static int
+flip(Intrinsic *t, int h)
+{
+	int g = t->twin[h], h1 = intrinsic_next(h), h2 = intrinsic_last(h), g1 = intrinsic_next(g), g2 = intrinsic_last(g);
+	int i = t->from[h], j = t->from[g], k = t->from[h2], l = t->from[g2], e = t->edge[h];
+	double yk, yl, xk = intrinsic_foot(t, h, &yk), xl = t->length[e] - intrinsic_foot(t, g, &yl);
+
+	if (t->crossing && crossings_flip(t, h))
+		return INTRINSIC_ENOMEM;
+	turn_outer_sides(t, (int[]){ h1, h2, g1, g2 }, (int[]){ h2, g1, g2, h1 });
+	t->from[h] = k, t->from[h1] = l, t->from[h2] = j;
+	t->from[g] = l, t->from[g1] = k, t->from[g2] = i;
+	t->side[e] = h;
+	t->length[e] = hypot(xk - xl, yk + yl);
+	return 0;
+}
+
+/* Of the diagonals of four vertices on a circle: whether the one from i to j with length d comes after the one from k to l with
+ * length c. */
+static int
+comes_after(const double *key, int i, int j, double d, int k, int l, double c)
+{
+	if (fabs(d - c) > EQUAL*d)
+		return d > c;
+	return key && key[i] + key[j] > key[k] + key[l] + EQUAL*fabs(key[i] + key[j]);
+}
+
+enum { KEEP, FLIP, FLIP_EQUAL };
+
+/* Whether flipping the edge of side h makes the triangulation more Delaunay, or is as good and preferred. */
+static int
+choose(const Intrinsic *t, const double *key, int h)
+{
+	int g = t->twin[h], e = t->edge[h];
+	double a, A, b, B, sum, size, xk, xl, yk, yl;
+
+	if (g < 0 || h/3 == g/3)
+		return KEEP;
+	intrinsic_cotangent_parts(t, h, &a, &A);
+	intrinsic_cotangent_parts(t, g, &b, &B);
+	sum = a*B + b*A, size = fabs(a*B) + fabs(b*A) + A*B;
+	if (sum > COCIRCULAR*size || !(size > 0))
+		return KEEP;
+	if (sum < -COCIRCULAR*size)
+		return FLIP;
+	xk = intrinsic_foot(t, h, &yk), xl = t->length[e] - intrinsic_foot(t, g, &yl);
+	return comes_after(key, t->from[h], t->from[g], t->length[e], t->from[intrinsic_last(h)],
+	    t->from[intrinsic_last(g)], hypot(xk - xl, yk + yl)) ? FLIP_EQUAL : KEEP;
+}
+
+/* A stack of edges, each at most once. */
+typedef struct Stack {
+	int           *edge, n;
+	unsigned char *on;
+	const unsigned char *fixed;     /* edges that never get on it, or NULL */
+} Stack;
+
+static void
+push(Stack *s, int e)
+{
+	if (s->on[e] || (s->fixed && s->fixed[e]))
+		return;
+	s->on[e] = 1;
+	s->edge[s->n++] = e;
+}
+
+static int
+flip_all(Intrinsic *t, const double *key, Stack *s)
+{
+	size_t flips = 0, ties = 0;
+	int h, g, choice;
+
+	while (s->n > 0 && flips < FLIPS*(size_t)t->nf) {
+		int e = s->edge[--s->n];
+
+		s->on[e] = 0;
+		h = t->side[e], g = t->twin[h];
+		choice = choose(t, key, h);
+		if (choice == KEEP || (choice == FLIP_EQUAL && ties++ > TIES*(size_t)t->nf))
+			continue;
+		if (flip(t, h))
+			return INTRINSIC_ENOMEM;
+		flips++;
+		push(s, t->edge[intrinsic_next(h)]);
+		push(s, t->edge[intrinsic_last(h)]);
+		push(s, t->edge[intrinsic_next(g)]);
+		push(s, t->edge[intrinsic_last(g)]);
+	}
+	return 0;
+}
+
+/* The same for the edges that are not fixed, [ne]; NULL: no edge is. */
+static int
+delaunay(Intrinsic *t, const double *key, const unsigned char *fixed)
+{
+	Stack s = { malloc(t->ne*sizeof *s.edge), 0, calloc(t->ne, 1), fixed };
+	int e, error = INTRINSIC_ENOMEM;
+
+	if (s.edge && s.on) {
+		for (e = t->ne - 1; e >= 0; e--)
+			push(&s, e);
+		error = flip_all(t, key, &s);
+	}
+	free(s.edge);
+	free(s.on);
+	return error;
+}
+
+int
+intrinsic_delaunay(Intrinsic *t, const double *key)
+{
+	return delaunay(t, key, NULL);
+}
+
+int
+intrinsic_improve(Subdivision *s, const double *key)
+{
+	Intrinsic t;
+	unsigned char *fixed;
+	int h, e = intrinsic_init(&t, &s->d);
+
+	if (e)
+		return e;
+	free(t.crossing);
+	t.crossing = NULL;
+	fixed = malloc(t.ne);
+	e = INTRINSIC_ENOMEM;
+	if (fixed) {
+		for (h = 0; h < 3*t.nf; h++)
+			fixed[t.edge[h]] = !s->inner[h];
+		e = delaunay(&t, key, fixed);
+	}
+	for (h = 0; !e && h < 3*t.nf; h++)
+		s->inner[h] = !fixed[t.edge[h]];
+	if (!e) {
+		memcpy(s->d.m.tri, t.from, 3*(size_t)t.nf*sizeof *t.from);
+		memcpy(s->d.twin, t.twin, 3*(size_t)t.nf*sizeof *t.twin);
+	}
+	free(fixed);
+	intrinsic_free(&t);
+	return e;
+}

@@ -1,0 +1,21 @@
+/* flips.h - the Delaunay triangulation of a surface, by flips of intrinsic edges. */
+#ifndef FLIPS_H
+#define FLIPS_H
+
+#include "intrinsic.h"
+
+/* Flips the edges of s that lie within faces of its given disk until they are Delaunay there: the surface
+ * stays the same, and fewer edges of s cross those of its intrinsic Delaunay triangulation.
+ * Returns 0 or INTRINSIC_ENOMEM. */
+int  intrinsic_improve(Subdivision *s, const double *key);
+
+/* Flips edges until the triangulation is Delaunay: the two angles opposite to an inner edge sum to
+ * at most pi.  Of four vertices on a circle either diagonal is Delaunay: the shorter one is taken, or
+ * of equally long ones that whose ends have the smaller sum of keys, so that the numbering decides nothing.
+ *
+ * key  in  [nv] or NULL
+ *
+ * Ends after 400 flips a triangle if rounding should prevent it. Returns 0 or INTRINSIC_ENOMEM. */
+int  intrinsic_delaunay(Intrinsic *t, const double *key);
+
+#endif

@@ -1,0 +1,164 @@
+/* intrinsic.c - lengths and angles of an intrinsic triangulation. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/vec3.h"
+#include "intrinsic.h"
+
+static const double THIN = 1e-8;        /* least excess of two sides over the third, of the mean length */
+static const double STEEPEST = 1e15;    /* largest cotangent */
+
+static int
+allocate(Intrinsic *t)
+{
+	size_t sides = 3*(size_t)t->nf, ne = t->ne;
+
+	t->from = malloc(sides*sizeof *t->from);
+	t->twin = malloc(sides*sizeof *t->twin);
+	t->edge = malloc(sides*sizeof *t->edge);
+	t->side = malloc(ne*sizeof *t->side);
+	t->length = malloc(ne*sizeof *t->length);
+	t->mesh_side = malloc(ne*sizeof *t->mesh_side);
+	t->mesh_from = malloc(ne*sizeof *t->mesh_from);
+	t->along = malloc(ne*sizeof *t->along);
+	t->crossing = calloc(ne, sizeof *t->crossing);
+	t->crossings = calloc(ne, sizeof *t->crossings);
+	return t->from && t->twin && t->edge && t->side && t->length && t->mesh_side && t->mesh_from
+	    && t->along && t->crossing && t->crossings ? 0 : INTRINSIC_ENOMEM;
+}
+
+/* Numbers the edges by their lower sides. */
+static void
+number_edges(Intrinsic *t)
+{
+	int h, e = 0;
+
+	for (h = 0; h < 3*t->nf; h++) {
+		if (t->twin[h] >= 0 && t->twin[h] < h) {
+			t->edge[h] = t->edge[t->twin[h]];
+			continue;
+		}
+		t->side[e] = t->mesh_side[e] = h;
+		t->mesh_from[e] = t->from[h];
+		t->along[e] = e;
+		t->edge[h] = e++;
+	}
+}
+
+/* The lengths in the metric (3) of the mesh. */
+static void
+measure(Intrinsic *t, const Mesh *m)
+{
+	double longest = 0;
+	int e;
+
+	for (e = 0; e < t->ne; e++) {
+		int h = t->side[e];
+		double x[3];
+
+		sub3(&m->xyz[3*(size_t)t->from[h]], &m->xyz[3*(size_t)t->from[intrinsic_next(h)]], x);
+		t->length[e] = hypot(hypot(x[0], x[1]), x[2]);
+		longest = fmax(longest, t->length[e]);
+	}
+	for (e = 0; e < t->ne; e++)
+		t->length[e] /= longest;
+}
+
+int
+intrinsic_init(Intrinsic *t, const Disk *d)
+{
+	size_t sides = 3*(size_t)d->m.nf;
+
+	*t = (Intrinsic){ .nv = d->m.nv, .nf = d->m.nf, .ne = (sides + d->nb)/2 };
+	if (allocate(t)) {
+		intrinsic_free(t);
+		return INTRINSIC_ENOMEM;
+	}
+	memcpy(t->from, d->m.tri, sides*sizeof *t->from);
+	memcpy(t->twin, d->twin, sides*sizeof *t->twin);
+	number_edges(t);
+	measure(t, &d->m);
+	return 0;
+}
+
+void
+intrinsic_mollify(Intrinsic *t)
+{
+	double mean = 0, excess = HUGE_VAL;
+	int e, h;
+
+	for (e = 0; e < t->ne; e++)
+		mean += t->length[e]/t->ne;
+	for (h = 0; h < 3*t->nf; h++)
+		excess = fmin(excess, intrinsic_length(t, intrinsic_next(h)) + intrinsic_length(t, intrinsic_last(h))
+		    - intrinsic_length(t, h));
+	for (e = 0; excess < THIN*mean && e < t->ne; e++)
+		t->length[e] += THIN*mean - excess;
+}
+
+void
+intrinsic_free(Intrinsic *t)
+{
+	int e;
+
+	for (e = 0; t->crossing && e < t->ne; e++)
+		free(t->crossing[e]);
+	free(t->from);
+	free(t->twin);
+	free(t->edge);
+	free(t->side);
+	free(t->length);
+	free(t->mesh_side);
+	free(t->mesh_from);
+	free(t->along);
+	free(t->crossing);
+	free(t->crossings);
+	*t = (Intrinsic){ 0 };
+}
+
+double
+intrinsic_area(double a, double b, double c)
+{
+	double s;
+
+	if (a < b)
+		s = a, a = b, b = s;
+	if (a < c)
+		s = a, a = c, c = s;
+	if (b < c)
+		s = b, b = c, c = s;
+	s = (a + (b + c))*(c - (a - b))*(c + (a - b))*(a + (b - c));
+	return s > 0 ? sqrt(s)/4 : 0;
+}
+
+void
+intrinsic_cotangent_parts(const Intrinsic *t, int h, double *above, double *below)
+{
+	double c = intrinsic_length(t, h);
+	double a = intrinsic_length(t, intrinsic_next(h)), b = intrinsic_length(t, intrinsic_last(h));
+
+	*above = a*a + (b - c)*(b + c);
+	*below = 4*intrinsic_area(a, b, c);
+}
+
+double
+intrinsic_cotangent(const Intrinsic *t, int side)
+{
+	double above, below;
+
+	intrinsic_cotangent_parts(t, side, &above, &below);
+	if (fabs(above) < STEEPEST*below)
+		return above/below;
+	return above < 0 ? -STEEPEST : STEEPEST;
+}
+
+double
+intrinsic_foot(const Intrinsic *t, int side, double *height)
+{
+	double c = intrinsic_length(t, side);
+	double a = intrinsic_length(t, intrinsic_next(side)), b = intrinsic_length(t, intrinsic_last(side));
+
+	*height = 2*intrinsic_area(a, b, c)/c;
+	return (b*b + (c - a)*(c + a))/(2*c);
+}

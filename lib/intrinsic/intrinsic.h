@@ -1,0 +1,71 @@
+/* intrinsic.h - an intrinsic triangulation of a disk: its edges are straight lines within the
+ * surface, known by their lengths alone (doc/mathematics.md 3.6).
+ *
+ * Only flips change it, so it has the vertices of the mesh, and as many edges and triangles.
+ */
+#ifndef INTRINSIC_H
+#define INTRINSIC_H
+
+#include "../mesh/subdivision.h"
+
+enum { INTRINSIC_ENOMEM = -1 };
+
+/* Side 3*t + k of triangle t runs from its corner k to the next.  An edge has the direction of its
+ * side. */
+typedef struct Intrinsic {
+	int     nv, nf, ne;
+	int    *from;           /* [3*nf] the vertex at which a side starts */
+	int    *twin;           /* [3*nf] the side across, -1 on the boundary */
+	int    *edge;           /* [3*nf] */
+	int    *side;           /* [ne] */
+	double *length;         /* [ne] */
+	int    *mesh_side;      /* [ne] of each edge of the mesh: its side in the disk */
+	int    *mesh_from;      /* [ne] the vertex at which that side starts */
+	int    *along;          /* [ne] the edge of the mesh that this edge is, or -1 */
+	int   **crossing;       /* [ne] the edges of the mesh that cross this one, from its start;
+	                         * crossing itself is NULL within intrinsic_improve */
+	int    *crossings;      /* [ne] their number */
+} Intrinsic;
+
+/* The triangulation of the mesh itself.  Lengths are in units of the longest edge.
+ *
+ * Returns 0 or INTRINSIC_ENOMEM; t then holds nothing to free. */
+int  intrinsic_init(Intrinsic *t, const Disk *d);
+void intrinsic_free(Intrinsic *t);
+
+/* Makes all edges longer by the same small length, so that in every triangle two sides exceed the third by
+ * 1e-8 of the mean length: a triangle that is flat to rounding has no usable angles.  Not after a flip. */
+void intrinsic_mollify(Intrinsic *t);
+
+static inline int
+intrinsic_next(int side)
+{
+	return side%3 == 2 ? side - 2 : side + 1;
+}
+
+static inline int
+intrinsic_last(int side)
+{
+	return side%3 == 0 ? side + 2 : side - 1;
+}
+
+static inline double
+intrinsic_length(const Intrinsic *t, int side)
+{
+	return t->length[t->edge[side]];
+}
+
+/* The area of the triangle with sides a, b, c; accurate for thin ones (Kahan). */
+double intrinsic_area(double a, double b, double c);
+
+/* The cotangent of the angle opposite to a side as a quotient; below is 0 in a flat triangle. */
+void intrinsic_cotangent_parts(const Intrinsic *t, int side, double *above, double *below);
+
+/* The cotangent of the angle opposite to a side; at most 1e15 in modulus. */
+double intrinsic_cotangent(const Intrinsic *t, int side);
+
+/* The foot of the corner opposite to a side: its distance from the start of the side, which is
+ * outside it if an angle beside it is obtuse; *height is the distance of the corner. */
+double intrinsic_foot(const Intrinsic *t, int side, double *height);
+
+#endif

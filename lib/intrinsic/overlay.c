@@ -1,0 +1,231 @@
+/* overlay.c - every intrinsic triangle cut along the mesh edges that cross it. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "../mesh/topology.h"
+#include "crossings.h"
+#include "overlay.h"
+
+enum { CORNERS = 6 };   /* of a polygon, at most: two on each side of its triangle */
+
+typedef struct Overlaid {
+	const Intrinsic *t;
+	const Places    *places;
+	int             *tri, nf;
+} Overlaid;
+
+/* The vertex at crossing p of side h, counted from the start of the side. */
+static int
+vertex_at(const Overlaid *o, int h, int p)
+{
+	int e = o->t->edge[h], n = o->t->crossings[e];
+
+	return o->t->nv + (int)o->places->first[e] + (o->t->side[e] == h ? p : n - 1 - p);
+}
+
+static int
+crossings_of(const Overlaid *o, int h)
+{
+	return o->t->crossings[o->t->edge[h]];
+}
+
+/* A convex polygon as triangles round its first corner. */
+static void
+add_polygon(Overlaid *o, int n, const int *corner)
+{
+	int k;
+
+	for (k = 1; k + 1 < n; k++) {
+		int *c = &o->tri[3*(size_t)o->nf++];
+
+		c[0] = corner[0];
+		c[1] = corner[k];
+		c[2] = corner[k+1];
+	}
+}
+
+/* The part between the corner of side h and the mesh edges round it: a triangle and quadrilaterals. */
+static void
+add_round_corner(Overlaid *o, int h, int pieces)
+{
+	int last = intrinsic_last(h), n = crossings_of(o, last), p;
+
+	for (p = 0; p < pieces; p++) {
+		int out = vertex_at(o, h, p), in = vertex_at(o, last, n - 1 - p);
+
+		if (p == 0)
+			add_polygon(o, 3, (int[]){ o->t->from[h], out, in });
+		else
+			add_polygon(o, 4, (int[]){ vertex_at(o, h, p - 1), out, in, vertex_at(o, last, n - p) });
+	}
+}
+
+/* What is left of the corner at which side h starts: the corner, or the ends of the outermost piece round
+ * it, in the order of the boundary.  Returns their number. */
+static int
+remaining_corner(const Overlaid *o, int h, int pieces, int corner[2])
+{
+	int last = intrinsic_last(h);
+
+	if (pieces == 0) {
+		corner[0] = o->t->from[h];
+		return 1;
+	}
+	corner[0] = vertex_at(o, last, crossings_of(o, last) - pieces);
+	corner[1] = vertex_at(o, h, pieces - 1);
+	return 2;
+}
+
+/* The middle of a triangle without mesh edges that start at a corner. */
+static void
+add_middle(Overlaid *o, int f, const Pieces *pieces)
+{
+	int corner[CORNERS], n = 0, k;
+
+	for (k = 0; k < 3; k++)
+		n += remaining_corner(o, 3*f + k, pieces->round[k], &corner[n]);
+	add_polygon(o, n, corner);
+}
+
+/* The middle of a triangle with mesh edges from the corner at which side h starts to the opposite side. */
+static void
+add_fan(Overlaid *o, int h, const Pieces *pieces)
+{
+	int next = intrinsic_next(h), last = intrinsic_last(h), k = h%3;
+	int from = o->t->from[h], first = pieces->round[(k+1)%3], n, p, corner[CORNERS];
+
+	corner[0] = from;
+	n = 1 + remaining_corner(o, next, first, &corner[1]);
+	corner[n++] = vertex_at(o, next, first);
+	add_polygon(o, n, corner);
+	for (p = first; p + 1 < first + pieces->start[k]; p++)
+		add_polygon(o, 3, (int[]){ from, vertex_at(o, next, p), vertex_at(o, next, p + 1) });
+	corner[1] = vertex_at(o, next, p);
+	n = 2 + remaining_corner(o, last, pieces->round[(k+2)%3], &corner[2]);
+	add_polygon(o, n, corner);
+}
+
+static void
+cut_triangle(Overlaid *o, int f)
+{
+	Pieces pieces = crossings_pieces(o->t, f);
+	int k;
+
+	for (k = 0; k < 3; k++)
+		add_round_corner(o, 3*f + k, pieces.round[k]);
+	for (k = 0; k < 3 && pieces.start[k] == 0; k++)
+		;
+	if (k == 3)
+		add_middle(o, f, &pieces);
+	else
+		add_fan(o, 3*f + k, &pieces);
+}
+
+static int
+resize(double **x, size_t n)
+{
+	double *more = realloc(*x, n*sizeof *more);
+
+	if (!more)
+		return INTRINSIC_ENOMEM;
+	*x = more;
+	return 0;
+}
+
+/* x at the crossings, linear along the edges of the triangulation. */
+static void
+extend_map(const Overlaid *o, double *x)
+{
+	const Intrinsic *t = o->t;
+	size_t k;
+	int e;
+
+	for (e = 0; e < t->ne; e++) {
+		double a = x[t->from[t->side[e]]], b = x[t->from[intrinsic_next(t->side[e])]];
+
+		for (k = o->places->first[e]; k < o->places->first[e+1]; k++)
+			x[t->nv + k] = a + (b - a)*o->places->on_edge[k];
+	}
+}
+
+/* Adds the crossings to the vertices of the mesh, whose triangles are still those of s. */
+static int
+add_crossings(const Overlaid *o, Subdivision *s)
+{
+	const Intrinsic *t = o->t;
+	size_t n = o->places->first[t->ne], k, i;
+	int *mesh_to = malloc(t->ne*sizeof *mesh_to), e;
+	size_t added = t->nv - s->given + n;
+	void *corner = realloc(s->corner, (added + 1)*sizeof *s->corner), *w = realloc(s->w, (added + 1)*sizeof *s->w);
+
+	s->corner = corner ? corner : s->corner;
+	s->w = w ? w : s->w;
+	if (!mesh_to || !corner || !w || resize(&s->d.m.xyz, 3*(t->nv + n))) {
+		free(mesh_to);
+		return INTRINSIC_ENOMEM;
+	}
+	for (e = 0; e < t->ne; e++)
+		mesh_to[e] = s->d.m.tri[topology_next(t->mesh_side[e])];
+	for (e = 0; e < t->ne; e++)
+		for (k = o->places->first[e], i = 0; k < o->places->first[e+1]; k++, i++) {
+			int *c = s->corner[t->nv - s->given + k], id = t->crossing[e][i];
+			double *b = s->w[t->nv - s->given + k];
+
+			c[0] = c[2] = t->mesh_from[id];
+			c[1] = mesh_to[id];
+			b[0] = 1 - o->places->on_mesh[k];
+			b[1] = o->places->on_mesh[k];
+			b[2] = 0;
+		}
+	s->d.m.nv = t->nv + n;
+	subdivision_extend(s, 3, s->d.m.xyz, s->d.m.xyz);
+	free(mesh_to);
+	return 0;
+}
+
+/* The triangles and their twins in place of those of the mesh. */
+static int
+replace_triangles(Overlaid *o, Subdivision *s)
+{
+	size_t most = o->t->nf + 2*o->places->first[o->t->ne];
+	Topology top = { .nv = s->d.m.nv };
+	char err[MESH_ERRLEN];
+	int f, e;
+
+	o->tri = malloc(3*most*sizeof *o->tri);
+	if (!o->tri)
+		return INTRINSIC_ENOMEM;
+	for (f = 0; f < o->t->nf; f++)
+		cut_triangle(o, f);
+	top.nf = o->nf, top.tri = o->tri, top.err = err;
+	e = topology_twins(&top);
+	if (e) {
+		free(o->tri);
+		return INTRINSIC_ENOMEM;
+	}
+	free(s->d.m.tri);
+	free(s->d.twin);
+	s->d.m.tri = o->tri;
+	s->d.m.nf = o->nf;
+	s->d.twin = top.twin;
+	return 0;
+}
+
+int
+overlay(const Intrinsic *t, Subdivision *s, double **u, double **v)
+{
+	Places places;
+	Overlaid o = { t, &places, NULL, 0 };
+	int e = crossings_places(t, &places);
+
+	if (e)
+		return e;
+	e = resize(u, t->nv + places.first[t->ne]) || resize(v, t->nv + places.first[t->ne]) || add_crossings(&o, s)
+	    || replace_triangles(&o, s);
+	if (!e) {
+		extend_map(&o, *u);
+		extend_map(&o, *v);
+	}
+	places_free(&places);
+	return e ? INTRINSIC_ENOMEM : 0;
+}

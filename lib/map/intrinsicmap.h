@@ -1,0 +1,35 @@
+/* intrinsicmap.h - the conformal map of any disk onto a rectangle, with no triangle turned over.
+ *
+ * The harmonic functions are solved on the intrinsic Delaunay triangulation of the surface
+ * (../intrinsic).  Its cotangent weights are not negative, and non-negative weights make a harmonic
+ * map onto a rectangle with mirrors for sides an embedding (doc/mathematics.md 3.6).
+ */
+#ifndef INTRINSICMAP_H
+#define INTRINSICMAP_H
+
+#include "../intrinsic/intrinsic.h"
+#include "../mesh/subdivision.h"
+#include "../sparse/spd.h"
+#include "adapt.h"
+
+typedef struct IntrinsicMap {
+	Subdivision mesh;       /* the disk with points added on its edges */
+	Intrinsic   t;          /* of mesh.d, Delaunay */
+	int         corner[4];  /* indices into the loop of mesh.d */
+	double     *u, *v;      /* [t.nv] */
+	double     *key;        /* [t.nv] of intrinsic_delaunay */
+	double      T, certificate;
+	int         quadratic;  /* 1 if u, v are of quadratic elements */
+	int         turned;     /* triangles of t with (u,v) area < -1e-14 T */
+} IntrinsicMap;
+
+/* Edges are split until the triangulation can be embedded, and then where the certificate is largest,
+ * until it is at most options->tolerance or options->most vertices are reached.
+ *
+ * vertex: the corners, as vertex numbers.  Returns 0, or SPD_ENOMEM, SPD_EINDEFINITE,
+ * SPD_ELARGE; on an error m holds nothing to free. */
+int  intrinsic_map(const Disk *d, const int vertex[4], const AdaptOptions *options, IntrinsicMap *m,
+	SpdReport *report);
+void intrinsic_map_free(IntrinsicMap *m);
+
+#endif

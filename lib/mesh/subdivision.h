@@ -1,0 +1,51 @@
+/* subdivision.h - points added to a disk as vertices; the surface stays the same. */
+#ifndef SUBDIVISION_H
+#define SUBDIVISION_H
+
+#include "mesh.h"
+
+/* A point of a disk. */
+typedef struct SurfacePoint {
+	int    triangle;
+	double w[3];            /* barycentric coordinates; one of them is 0 on a side of the triangle */
+} SurfacePoint;
+
+/* A disk made of another one by adding points.  Its first vertices are those of the given disk;
+ * each of the others lies in a flat triangle of three vertices of lower number. */
+typedef struct Subdivision {
+	Disk    d;
+	int     given;          /* number of vertices of the given disk */
+	int   (*corner)[3];     /* [d.m.nv - given] the triangle that each new vertex lies in */
+	double (*w)[3];         /* [d.m.nv - given] its barycentric coordinates there */
+	unsigned char *inner;   /* [3*d.m.nf] 1: the side lies within a face of the given disk */
+} Subdivision;
+
+/* A copy of d, without new vertices.  Channels, note and err are not copied.
+ * Returns 0 or MESH_ENOMEM; s then holds nothing to free. */
+int  subdivision_init(Subdivision *s, const Disk *d);
+void subdivision_free(Subdivision *s);
+
+/* The point at `place`, 0..1 from the start of side 3*t + k of triangle t, which runs from corner k to the next. */
+SurfacePoint subdivision_on_side(int side, double place);
+
+/* Adds the points to s as vertices.  A triangle is split into three at a point within, the two
+ * triangles at an edge are split at a point on it, one point after the other: they can become as thin as one likes.
+ * Points of a side that are equal, and those at a vertex, are dropped.
+ *
+ * n, point  in   of s->d
+ *
+ * Returns the number of new vertices, or MESH_ENOMEM; s is then only to be freed. */
+int  subdivision_add(Subdivision *s, int n, const SurfacePoint *point);
+
+/* Splits faces as refine_split does.  before: out, the disk as it was, to be freed; or NULL.  inner is
+ * not kept.  Returns 0 or MESH_ENOMEM; s is then only to be freed. */
+int  subdivision_refine(Subdivision *s, const unsigned char *marked, Disk *before);
+
+/* Numbers given at the vertices of the given disk, continued linearly to all vertices.
+ *
+ * n      numbers per vertex
+ * f      in    [given][n]; may be the start of all
+ * all    out   [d.m.nv][n] */
+void subdivision_extend(const Subdivision *s, int n, const double *f, double *all);
+
+#endif
