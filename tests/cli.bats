@@ -222,14 +222,11 @@ setting() {
 	[ ! -e "$tmp/x.txt" ]
 }
 
-@test "mesh2rect --max-vertices bounds the splitting; --allow-flips changes no map that has no flips" {
-	mkmesh -n 300 cap -o "$tmp/flips.off"
-	mesh2rect -q -n 8 --max-vertices=400 "$tmp/flips.off" -o "$tmp/few"
+@test "mesh2rect --max-vertices bounds the splitting" {
+	mkmesh -n 300 cap -o "$tmp/cap.off"
+	mesh2rect -q -n 8 --max-vertices=400 "$tmp/cap.off" -o "$tmp/few"
 	[ "$(grep -a '^meta solved' "$tmp/few" | cut -d' ' -f3)" -le 500 ]
-	[ "$(mesh2rect -q -n 8 "$tmp/flips.off" | grep -a '^meta solved' | cut -d' ' -f3)" -gt 1000 ]
-	mesh2rect -q -n 8 "$tmp/flips.off" | grep -av ^history >"$tmp/a"
-	mesh2rect -q -n 8 --allow-flips "$tmp/flips.off" | grep -av ^history >"$tmp/b"
-	[ "$(grep -a ^meta "$tmp/a")" = "$(grep -a ^meta "$tmp/b")" ]
+	[ "$(mesh2rect -q -n 8 "$tmp/cap.off" | grep -a '^meta solved' | cut -d' ' -f3)" -gt 1000 ]
 }
 
 @test "lhinfo --json escapes quotes, backslashes and bytes that are not UTF-8 in metadata" {
