@@ -49,6 +49,14 @@ intrinsic_last(int side)
 	return side%3 == 0 ? side + 2 : side - 1;
 }
 
+/* The two ends of edge e. */
+static inline void
+intrinsic_ends(const Intrinsic *t, int e, int end[2])
+{
+	end[0] = t->from[t->side[e]];
+	end[1] = t->from[intrinsic_next(t->side[e])];
+}
+
 static inline double
 intrinsic_length(const Intrinsic *t, int side)
 {

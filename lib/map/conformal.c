@@ -66,12 +66,12 @@ sample_adapted(const Disk *d, const int corner[4], const AdaptMap *a, Chart g, c
 static int
 sample_intrinsic(const Disk *d, const int corner[4], IntrinsicMap *a, Chart g, const ConformalOptions *options, Conformal *c)
 {
-	Solved m = { &a->mesh, NULL, NULL, a->T, a->quadratic ? 0 : ENOUGH };
+	Solved m = { &a->s.mesh, NULL, NULL, a->T, a->quadratic ? 0 : ENOUGH };
 
 	c->certificate = a->certificate;
-	c->vertices = a->t.nv;
+	c->vertices = a->s.t.nv;
 	c->overlaid = rectmap_flipped(&d->m, a->u, a->v) + rectmap_flat(&d->m, a->u, a->v);
-	if ((c->overlaid || options->surface == SAMPLER_FACETS) && overlay(&a->t, &a->mesh, &a->u, &a->v))
+	if ((c->overlaid || options->surface == SAMPLER_FACETS) && overlay(&a->s.t, &a->s.mesh, &a->u, &a->v))
 		return SPD_ENOMEM;
 	m.u = a->u, m.v = a->v;
 	return sample(d, corner, &m, g, options, c);

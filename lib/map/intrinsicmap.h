@@ -7,21 +7,8 @@
 #ifndef INTRINSICMAP_H
 #define INTRINSICMAP_H
 
-#include "../intrinsic/intrinsic.h"
-#include "../mesh/subdivision.h"
-#include "../sparse/spd.h"
 #include "adapt.h"
-
-typedef struct IntrinsicMap {
-	Subdivision mesh;       /* the disk with points added on its edges */
-	Intrinsic   t;          /* of mesh.d, Delaunay */
-	int         corner[4];  /* indices into the loop of mesh.d */
-	double     *u, *v;      /* [t.nv] */
-	double     *key;        /* [t.nv] of intrinsic_delaunay */
-	double      T, certificate;
-	int         quadratic;  /* 1 if u, v are of quadratic elements */
-	int         turned;     /* triangles of t with (u,v) area < -1e-14 T */
-} IntrinsicMap;
+#include "intrinsicsolve.h"
 
 /* Edges are split until the triangulation can be embedded, and then where the certificate is largest,
  * until it is at most options->tolerance or options->most vertices are reached.

@@ -1,0 +1,222 @@
+/* embed.c - splits edges until the Delaunay triangulation of a disk can be embedded. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/vec3.h"
+#include "../intrinsic/edgepoints.h"
+#include "../intrinsic/flips.h"
+#include "embed.h"
+#include "harmonic.h"
+
+enum { ROUNDS = 40 };                   /* of splitting between two solves */
+static const double EQUAL = 1e-6;       /* relative difference of two numbers that differ by rounding only */
+
+/* Whether a map would shrink edge e to a point or lay it on a side: a loop, or an inner edge between
+ * vertices of one side of the rectangle. */
+static int
+collapses(const Intrinsic *t, const unsigned char *side, int e)
+{
+	int end[2];
+
+	intrinsic_ends(t, e, end);
+	return t->twin[t->side[e]] >= 0 && (end[0] == end[1] || (side[end[0]] & side[end[1]]));
+}
+
+/* The edges at each vertex, as their lower end: those of vertex i are at[first[i]] .. at[first[i+1]-1].
+ * first: [nv+2]. */
+static void
+sort_by_lower_end(const Intrinsic *t, int *first, int *at)
+{
+	int e, i, end[2];
+
+	memset(first, 0, (t->nv + (size_t)2)*sizeof *first);
+	for (e = 0; e < t->ne; e++) {
+		intrinsic_ends(t, e, end);
+		first[(end[0] < end[1] ? end[0] : end[1]) + 2]++;
+	}
+	for (i = 0; i < t->nv; i++)
+		first[i+2] += first[i+1];
+	for (e = 0; e < t->ne; e++) {
+		intrinsic_ends(t, e, end);
+		at[first[(end[0] < end[1] ? end[0] : end[1]) + 1]++] = e;
+	}
+}
+
+/* Marks inner edges that have the ends of another edge: a map lays them on each other.
+ * last: workspace, [nv], the last edge to a vertex. */
+static void
+mark_doubled(const Intrinsic *t, const int *first, const int *at, int *last, unsigned char *marked)
+{
+	int i, k, end[2];
+
+	memset(last, -1, t->nv*sizeof *last);
+	for (i = 0; i < t->nv; i++)
+		for (k = first[i]; k < first[i+1]; k++) {
+			int e = at[k], j, other;
+
+			intrinsic_ends(t, e, end);
+			j = end[0] == i ? end[1] : end[0];
+			other = last[j];
+			last[j] = e;
+			if (other < 0)
+				continue;
+			intrinsic_ends(t, other, end);
+			if (end[0] != i && end[1] != i)
+				continue;
+			marked[e] |= t->twin[t->side[e]] >= 0;
+			marked[other] |= t->twin[t->side[other]] >= 0;
+		}
+}
+
+/* Marks the edges that no map onto the rectangle can keep straight and apart. */
+static int
+mark_collapsing(const Intrinsic *t, const unsigned char *side, unsigned char *marked)
+{
+	int *first = malloc((t->nv + (size_t)2)*sizeof *first), *at = malloc(t->ne*sizeof *at);
+	int *last = malloc(t->nv*sizeof *last), e, error = EMBED_ENOMEM;
+
+	if (first && at && last) {
+		for (e = 0; e < t->ne; e++)
+			marked[e] = collapses(t, side, e);
+		sort_by_lower_end(t, first, at);
+		mark_doubled(t, first, at, last, marked);
+		error = 0;
+	}
+	free(first);
+	free(at);
+	free(last);
+	return error;
+}
+
+static void
+find_corners(Embeddable *s)
+{
+	int i, k;
+
+	for (i = 0; i < s->mesh.d.nb; i++)
+		for (k = 0; k < 4; k++)
+			if (s->mesh.d.loop[i] == s->vertex[k])
+				s->corner[k] = i;
+}
+
+/* The Delaunay triangulation of the mesh as it is, and the points that it still needs. */
+static int
+triangulate(Embeddable *s, int feet, EdgePoints *points)
+{
+	unsigned char *side = malloc(s->mesh.d.m.nv), *marked = NULL;
+	int e;
+
+	intrinsic_free(&s->t);
+	e = !side || intrinsic_init(&s->t, &s->mesh.d) ? EMBED_ENOMEM : 0;
+	if (!e) {
+		intrinsic_mollify(&s->t);
+		e = intrinsic_delaunay(&s->t, s->key) ? EMBED_ENOMEM : 0;
+	}
+	if (!e)
+		marked = malloc(s->t.ne);
+	if (!e && !marked)
+		e = EMBED_ENOMEM;
+	if (!e) {
+		find_corners(s);
+		harmonic_sides(&s->mesh.d, s->corner, side);
+		e = mark_collapsing(&s->t, side, marked);
+	}
+	points->n = 0;
+	if (!e)
+		e = edgepoints_middles(&s->t, &s->mesh.d, marked, points) ? EMBED_ENOMEM : 0;
+	if (!e && feet)
+		e = edgepoints_feet(&s->t, points) ? EMBED_ENOMEM : 0;
+	free(side);
+	free(marked);
+	return e;
+}
+
+/* The corners in an order that depends on their places alone: from the one farthest from the others, to
+ * the farther of its neighbours first. */
+static void
+order_corners(const double *xyz, const int vertex[4], int order[4])
+{
+	double far[4], x[3];
+	int i, k, first = 0, step;
+
+	for (k = 0; k < 4; k++)
+		for (far[k] = 0, i = 0; i < 4; i++) {
+			sub3(&xyz[3*(size_t)vertex[i]], &xyz[3*(size_t)vertex[k]], x);
+			far[k] += norm3(x);
+		}
+	for (k = 1; k < 4; k++)
+		if (far[k] > far[first]*(1 + EQUAL))
+			first = k;
+	step = far[(first+3)%4] > far[(first+1)%4]*(1 + EQUAL) ? 3 : 1;
+	for (k = 0; k < 4; k++)
+		order[k] = vertex[(first + step*k)%4];
+}
+
+/* A number at each vertex that depends on the shape alone: distances to the corners.  The corners count a little
+ * differently, so that symmetric surfaces have no equal numbers. */
+static int
+set_keys(Embeddable *s)
+{
+	static const double share[4] = { 1, 1.0103, 1.0237, 1.0391 };
+	const double *xyz = s->mesh.d.m.xyz;
+	int i, k, nv = s->mesh.d.m.nv, corner[4];
+	double x[3];
+
+	order_corners(xyz, s->vertex, corner);
+	free(s->key);
+	s->key = malloc(nv*sizeof *s->key);
+	for (i = 0; s->key && i < nv; i++)
+		for (s->key[i] = 0, k = 0; k < 4; k++) {
+			sub3(&xyz[3*(size_t)i], &xyz[3*(size_t)corner[k]], x);
+			s->key[i] += share[k]*norm3(x);
+		}
+	return s->key ? 0 : EMBED_ENOMEM;
+}
+
+int
+embed_init(Embeddable *s, const Disk *d, const int vertex[4])
+{
+	memset(s, 0, sizeof *s);
+	memcpy(s->vertex, vertex, sizeof s->vertex);
+	if (subdivision_init(&s->mesh, d))
+		return EMBED_ENOMEM;
+	if (set_keys(s)) {
+		embed_free(s);
+		return EMBED_ENOMEM;
+	}
+	return 0;
+}
+
+void
+embed_free(Embeddable *s)
+{
+	subdivision_free(&s->mesh);
+	intrinsic_free(&s->t);
+	free(s->key);
+	s->key = NULL;
+}
+
+int
+embed_add(Embeddable *s, const EdgePoints *points)
+{
+	int n = subdivision_add(&s->mesh, points->n, points->point);
+
+	return n < 0 || set_keys(s) || intrinsic_improve(&s->mesh, s->key) ? EMBED_ENOMEM : n;
+}
+
+int
+embed(Embeddable *s, int most)
+{
+	EdgePoints points = { NULL, 0, 0 };
+	int k, e = 0;
+
+	for (k = 0; !e && k < ROUNDS; k++) {
+		e = triangulate(s, k < ROUNDS/2 && s->mesh.d.m.nv < most, &points);
+		if (e || points.n == 0 || k + 1 == ROUNDS)
+			break;
+		e = embed_add(s, &points);
+		e = e < 0 ? EMBED_ENOMEM : 0;
+	}
+	free(points.point);
+	return e;
+}

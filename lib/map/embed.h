@@ -1,0 +1,34 @@
+/* embed.h - a disk split until its intrinsic Delaunay triangulation can be embedded in a rectangle
+ * (doc/mathematics.md 3.6). */
+#ifndef EMBED_H
+#define EMBED_H
+
+#include "../intrinsic/edgepoints.h"
+#include "../intrinsic/intrinsic.h"
+#include "../mesh/subdivision.h"
+
+enum { EMBED_ENOMEM = -1 };
+
+typedef struct Embeddable {
+	Subdivision mesh;       /* the disk with points added on its edges */
+	Intrinsic   t;          /* of mesh.d, Delaunay */
+	int         vertex[4];  /* the corners of the rectangle */
+	int         corner[4];  /* their indices into the loop of mesh.d */
+	double     *key;        /* [mesh.d.m.nv] of intrinsic_delaunay */
+} Embeddable;
+
+/* The disk without new points and without a triangulation, which embed makes.  vertex: the corners, as
+ * vertex numbers.  Returns 0 or EMBED_ENOMEM; s then holds nothing to free. */
+int  embed_init(Embeddable *s, const Disk *d, const int vertex[4]);
+void embed_free(Embeddable *s);
+
+/* Makes the triangulation of the mesh, and splits what would collapse in a map: loops, edges with the same ends,
+ * edges between vertices of one side.  Feet of obtuse angles at the boundary are added as long as there are
+ * less than `most` vertices.  Returns 0 or EMBED_ENOMEM. */
+int  embed(Embeddable *s, int most);
+
+/* Adds points to the mesh; then embed has to make a new triangulation.  Returns the number of new vertices,
+ * or EMBED_ENOMEM. */
+int  embed_add(Embeddable *s, const EdgePoints *points);
+
+#endif

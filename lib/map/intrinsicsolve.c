@@ -1,0 +1,190 @@
+/* intrinsicsolve.c - the harmonic functions of an embeddable triangulation. */
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "harmonic.h"
+#include "intrinsicmatrix.h"
+#include "intrinsicsolve.h"
+
+enum { STRAIGHTENED = 6 };              /* solves with quadratic elements, at most */
+static const double FLAT = 1e-14;       /* area, of that of the rectangle, that is 0 up to rounding */
+
+/* By the maximum principle only the two sides have the values 0 and 1; rounding may give them to others. */
+static void
+keep_inside(int n, const unsigned char *side, int held, double *x)
+{
+	int i;
+
+	for (i = 0; i < n; i++)
+		if (!(side[i] & held))
+			x[i] = fmin(fmax(x[i], DBL_MIN), 1 - DBL_EPSILON);
+}
+
+static int
+harmonic_pair(const IntrinsicMatrix *a, const unsigned char *side, double *u, double *v, SpdReport *report)
+{
+	Harmonic h = { .g = &a->g, .off = a->off, .side = side };
+	int *order = malloc(a->g.n*sizeof *order), e;
+
+	h.diagonal = malloc(a->g.n*sizeof *h.diagonal);
+	e = !order || !h.diagonal || order_graph(&a->g, order) || chol_init(&h.chol, &a->g, order) ? SPD_ENOMEM : 0;
+	report->bytes = chol_bytes(&h.chol);
+	if (!e) {
+		harmonic_diagonal(&h);
+		e = harmonic_solve(&h, SIDE_LEFT, SIDE_RIGHT, u, report);
+	}
+	if (!e)
+		e = harmonic_solve(&h, SIDE_BOTTOM, SIDE_TOP, v, report);
+	if (!e) {
+		keep_inside(a->g.n, side, SIDE_LEFT | SIDE_RIGHT, u);
+		keep_inside(a->g.n, side, SIDE_BOTTOM | SIDE_TOP, v);
+	}
+	chol_free(&h.chol);
+	free(h.diagonal);
+	free(order);
+	return e;
+}
+
+/* Twice the signed area of triangle f in (u,v). */
+static double
+image(const IntrinsicMap *m, int f)
+{
+	const int *c = &m->s.t.from[3*f];
+	const double *u = m->u, *v = m->v;
+
+	return (u[c[1]] - u[c[0]])*(v[c[2]] - v[c[0]]) - (u[c[2]] - u[c[0]])*(v[c[1]] - v[c[0]]);
+}
+
+/* Sets T and the certificate from the energies, and v from v1. */
+static int
+finish(IntrinsicMap *m, double Eu, double Ev)
+{
+	int i;
+
+	if (!(Eu > 0 && Eu < HUGE_VAL && Ev > 0 && Ev < HUGE_VAL))
+		return SPD_EINDEFINITE;
+	m->T = sqrt(Eu/Ev);                             /* (6) */
+	m->certificate = sqrt(Eu*Ev) - 1;
+	for (i = 0; i < m->s.t.nv; i++)
+		m->v[i] *= m->T;                        /* (4) */
+	return 0;
+}
+
+static int
+count_turned(const IntrinsicMap *m)
+{
+	int f, turned = 0;
+
+	for (f = 0; f < m->s.t.nf; f++)
+		turned += image(m, f) < -FLAT*m->T;
+	return turned;
+}
+
+/* u and v1 at the vertices, and at the middles if m is not NULL. */
+static int
+solve_pair(const IntrinsicMap *map, const Middles *m, double *u, double *v, SpdReport *report)
+{
+	const Intrinsic *t = &map->s.t;
+	unsigned char *side = malloc(m ? m->n : t->nv);
+	IntrinsicMatrix a;
+	int e = side ? (m ? intrinsic_quadratic(t, m, &a) : intrinsic_linear(t, &a)) : SPD_ENOMEM;
+
+	if (!e) {
+		harmonic_sides(&map->s.mesh.d, map->s.corner, side);
+		if (m)
+			intrinsic_middle_sides(t, m, side);
+		e = harmonic_pair(&a, side, u, v, report);
+		intrinsic_matrix_free(&a);
+	}
+	if (!e && m) {
+		intrinsic_middle_values(t, m, u);
+		intrinsic_middle_values(t, m, v);
+	}
+	free(side);
+	return e;
+}
+
+int
+intrinsic_solve(IntrinsicMap *m, SpdReport *report)
+{
+	int e;
+
+	free(m->u);
+	free(m->v);
+	m->u = malloc(m->s.t.nv*sizeof *m->u);
+	m->v = malloc(m->s.t.nv*sizeof *m->v);
+	e = m->u && m->v ? solve_pair(m, NULL, m->u, m->v, report) : SPD_ENOMEM;
+	if (!e)
+		e = finish(m, intrinsic_energy(&m->s.t, m->u), intrinsic_energy(&m->s.t, m->v));
+	if (!e)
+		m->turned = count_turned(m);
+	return e;
+}
+
+/* Makes the edges of turned and flat triangles straight, and those of triangles with a straight edge. */
+static void
+straighten(const IntrinsicMap *m, unsigned char *straight, unsigned char *before)
+{
+	const int *edge = m->s.t.edge;
+	int f, k;
+
+	memcpy(before, straight, m->s.t.ne);
+	for (f = 0; f < m->s.t.nf; f++) {
+		const int *e = &edge[3*f];
+
+		for (k = 0; k < 3 && (!(image(m, f) > 0) || before[e[0]] || before[e[1]] || before[e[2]]); k++)
+			straight[e[k]] = 1;
+	}
+}
+
+/* Quadratic elements with more and more straight edges round the triangles that they turn over: some of their weights are negative,
+ * where all edges are straight none is. */
+static int
+solve_straightened(IntrinsicMap *q, unsigned char *straight, Middles *m, SpdReport *report)
+{
+	unsigned char *before = malloc(q->s.t.ne);
+	int k, e = before ? 0 : SPD_ENOMEM;
+
+	q->turned = 1;
+	for (k = 0; !e && k < STRAIGHTENED && q->turned > 0; k++) {
+		intrinsic_middles(&q->s.t, straight, m);
+		e = solve_pair(q, m, q->u, q->v, report);
+		if (!e)
+			e = finish(q, intrinsic_quadratic_energy(&q->s.t, q->u), intrinsic_quadratic_energy(&q->s.t, q->v));
+		if (!e) {
+			q->turned = count_turned(q);
+			straighten(q, straight, before);
+		}
+	}
+	free(before);
+	return e;
+}
+
+int
+intrinsic_solve_quadratic(IntrinsicMap *map, SpdReport *report)
+{
+	size_t n = map->s.t.nv + (size_t)map->s.t.ne;
+	unsigned char *straight = calloc(map->s.t.ne, 1);
+	Middles m = { malloc(map->s.t.ne*sizeof *m.unknown), 0 };
+	IntrinsicMap q = *map;
+	int e = SPD_ENOMEM;
+
+	q.u = malloc(n*sizeof *q.u);
+	q.v = malloc(n*sizeof *q.v);
+	if (straight && m.unknown && q.u && q.v)
+		e = solve_straightened(&q, straight, &m, report);
+	free(straight);
+	free(m.unknown);
+	if (e || q.turned > 0 || !(q.certificate < map->certificate)) {
+		free(q.u);
+		free(q.v);
+		return e == SPD_ENOMEM ? e : 0;
+	}
+	free(map->u);
+	free(map->v);
+	*map = q;
+	map->quadratic = 1;
+	return 0;
+}

@@ -1,0 +1,23 @@
+/* intrinsicsolve.h - the harmonic functions of an embeddable triangulation. */
+#ifndef INTRINSICSOLVE_H
+#define INTRINSICSOLVE_H
+
+#include "../sparse/spd.h"
+#include "embed.h"
+
+typedef struct IntrinsicMap {
+	Embeddable s;
+	double    *u, *v;       /* [s.t.nv] */
+	double     T, certificate;
+	int        quadratic;   /* 1 if u, v are of quadratic elements */
+	int        turned;      /* triangles of s.t with (u,v) area < -1e-14 T */
+} IntrinsicMap;
+
+/* The map by linear elements.  Returns 0, or SPD_ENOMEM, SPD_EINDEFINITE, SPD_ELARGE. */
+int intrinsic_solve(IntrinsicMap *m, SpdReport *report);
+
+/* Solves again with quadratic elements; the map is replaced if they lower the certificate and turn no triangle
+ * over.  Returns 0 or SPD_ENOMEM. */
+int intrinsic_solve_quadratic(IntrinsicMap *m, SpdReport *report);
+
+#endif
