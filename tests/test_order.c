@@ -6,6 +6,9 @@
 #include <suitesparse/cholmod.h>
 
 #include "../lib/map/cotangent.h"
+#include "../lib/mesh/subdivision.h"
+#include "../lib/sparse/etree.h"
+#include "../lib/sparse/mindegree.h"
 #include "../lib/sparse/vertexcut.h"
 #include "synthdisk.h"
 
@@ -74,40 +77,61 @@ every_graph_is_ordered(void **state)
 		}
 }
 
-/* Number of entries of the factor; AMD's order if order is NULL. */
+/* Number of entries of the factor. */
 static double
 fill(const Graph *g, const int *order)
 {
+	double entries = 0;
+	Etree t;
+	int i;
+
+	assert_int_equal(etree_init(&t, g, order), 0);
+	for (i = 0; i < g->n; i++)
+		entries += t.count[i];
+	etree_free(&t);
+	return entries;
+}
+
+static double
+fill_of_minimum_degree(const Graph *g)
+{
+	int *order = malloc(g->n*sizeof *order);
+	double entries;
+
+	assert_int_equal(mindegree(g, order), 0);
+	check_permutation(g, order);
+	entries = fill(g, order);
+	free(order);
+	return entries;
+}
+
+/* INFINITY if CHOLMOD has no METIS. */
+static double
+fill_of_metis(const Graph *g)
+{
+	int *order = malloc(g->n*sizeof *order), i, k, n = 0;
+	double entries = INFINITY;
 	cholmod_common c;
-	cholmod_triplet *t;
-	cholmod_sparse *A;
-	cholmod_factor *L;
-	int i, k;
-	double lnz;
+	cholmod_sparse *a;
 
 	cholmod_start(&c);
-	t = cholmod_allocate_triplet(g->n, g->n, g->first[g->n] + g->n, -1, CHOLMOD_REAL, &c);
-	for (i = 0; i < g->n; i++)
-		for (k = g->first[i] - 1; k < g->first[i+1]; k++) {
-			int j = k < g->first[i] ? i : g->adj[k];
-
-			if (j > i)
-				continue;
-			((int *)t->i)[t->nnz] = i;
-			((int *)t->j)[t->nnz] = j;
-			((double *)t->x)[t->nnz++] = 1;
-		}
-	A = cholmod_triplet_to_sparse(t, 0, &c);
-	c.nmethods = 1;
-	c.method[0].ordering = order ? CHOLMOD_GIVEN : CHOLMOD_AMD;
-	L = cholmod_analyze_p(A, (int *)order, NULL, 0, &c);
-	assert_non_null(L);
-	lnz = c.lnz;
-	cholmod_free_triplet(&t, &c);
-	cholmod_free_sparse(&A, &c);
-	cholmod_free_factor(&L, &c);
+	c.print = 0;
+	a = cholmod_allocate_sparse(g->n, g->n, g->first[g->n]/2, 0, 1, 1, CHOLMOD_PATTERN, &c);
+	for (i = 0; i < g->n; i++) {
+		((int *)a->p)[i] = n;
+		for (k = g->first[i]; k < g->first[i+1]; k++)
+			if (g->adj[k] < i)
+				((int *)a->i)[n++] = g->adj[k];
+	}
+	((int *)a->p)[g->n] = n;
+	if (cholmod_metis(a, NULL, 0, 1, order, &c))
+		entries = fill(g, order);
+	else
+		assert_int_equal(c.status, CHOLMOD_NOT_INSTALLED);
+	cholmod_free_sparse(&a, &c);
 	cholmod_finish(&c);
-	return lnz;
+	free(order);
+	return entries;
 }
 
 static void
@@ -152,10 +176,205 @@ less_fill_than_minimum_degree(void **state)
 		order = malloc(C.g.n*sizeof *order);
 		assert_int_equal(order_graph(&C.g, order), 0);
 		check_permutation(&C.g, order);
-		assert_true(fill(&C.g, order) < (k < 3 ? 1 : 1.2)*fill(&C.g, NULL));
+		assert_true(fill(&C.g, order) < (k < 3 ? 1 : 1.2)*fill_of_minimum_degree(&C.g));
 		free(order);
 		cotangent_free(&C);
 		disk_free(&d);
+	}
+}
+
+/* A disk made of the cells (x,y) of a w x h array for which has() is true, each of two triangles. */
+static void
+disk_of_cells(int w, int h, int (*has)(int x, int y), Disk *d)
+{
+	Soup s = { 0 };
+	int x, y, i;
+
+	s.xyz = calloc(3*(w + 1)*(h + 1), sizeof *s.xyz);
+	s.idx = malloc(6*w*h*sizeof *s.idx);
+	s.first = malloc((2*w*h + 1)*sizeof *s.first);
+	for (y = 0; y <= h; y++)
+		for (x = 0; x <= w; x++, s.nv++)
+			s.xyz[3*s.nv] = x, s.xyz[3*s.nv+1] = y;
+	for (y = 0; y < h; y++)
+		for (x = 0; x < w; x++)
+			if (has(x, y)) {
+				int p = y*(w + 1) + x, q = p + w + 1, c[6] = { p, p + 1, q + 1, p, q + 1, q };
+
+				memcpy(&s.idx[3*s.nf], c, sizeof c);
+				s.nf += 2;
+			}
+	for (i = 0; i <= s.nf; i++)
+		s.first[i] = 3*i;
+	assert_int_equal(disk_from_soup(d, &s), 0);
+	free(s.xyz), free(s.idx), free(s.first);
+}
+
+/* n triangles round a hub; a spike if the hub is high. */
+static void
+disk_of_fan(int n, double height, Disk *d)
+{
+	Soup s = { 0 };
+	int i;
+
+	s.nv = n + 1, s.nf = n;
+	s.xyz = calloc(3*s.nv, sizeof *s.xyz);
+	s.idx = malloc(3*n*sizeof *s.idx);
+	s.first = malloc((n + 1)*sizeof *s.first);
+	s.xyz[2] = height;
+	for (i = 0; i < n; i++) {
+		s.xyz[3*(i+1)] = cos(2*M_PI*i/n), s.xyz[3*(i+1)+1] = sin(2*M_PI*i/n);
+		s.idx[3*i] = 0, s.idx[3*i+1] = 1 + i, s.idx[3*i+2] = 1 + (i + 1)%n;
+	}
+	for (i = 0; i <= n; i++)
+		s.first[i] = 3*i;
+	assert_int_equal(disk_from_soup(d, &s), 0);
+	free(s.xyz), free(s.idx), free(s.first);
+}
+
+enum { MAZE = 12, CELLS = 2*MAZE - 1 };         /* MAZE rooms along a side, with walls between */
+
+static unsigned char open_cell[CELLS][CELLS];
+
+/* Opens doors between rooms so that they form a random tree: a disk. */
+static void
+carve_maze(unsigned seed)
+{
+	int tree[MAZE*MAZE], wall[2*MAZE*MAZE], n = 0, i, k, a, b;
+
+	memset(open_cell, 0, sizeof open_cell);
+	for (i = 0; i < MAZE*MAZE; i++) {
+		tree[i] = i;
+		open_cell[i/MAZE*2][i%MAZE*2] = 1;
+		wall[n++] = 2*i, wall[n++] = 2*i + 1;
+	}
+	for (i = n - 1; i > 0; i--) {
+		seed = 1664525*seed + 1013904223;
+		k = (seed >> 8)%(i + 1);
+		a = wall[i], wall[i] = wall[k], wall[k] = a;
+	}
+	for (k = 0; k < n; k++) {
+		a = wall[k]/2, b = wall[k]%2 ? a + MAZE : a + 1;
+		if (b >= MAZE*MAZE || (wall[k]%2 == 0 && a%MAZE == MAZE - 1) || tree[a] == tree[b])
+			continue;
+		open_cell[a/MAZE + b/MAZE][a%MAZE + b%MAZE] = 1;
+		for (b = tree[b], i = 0; i < MAZE*MAZE; i++)
+			if (tree[i] == b)
+				tree[i] = tree[a];
+	}
+}
+
+/* Opens a way from a corner to the middle. */
+static void
+carve_spiral(void)
+{
+	int x = 0, y = 0, dx = 1, dy = 0, length = CELLS - 1, side, i;
+
+	memset(open_cell, 0, sizeof open_cell);
+	open_cell[0][0] = 1;
+	for (side = 0; length > 1; side++) {
+		for (i = 0; i < length; i++)
+			x += dx, y += dy, open_cell[y][x] = 1;
+		if (side >= 2 && side%2 == 0)
+			length -= 2;
+		i = dx, dx = -dy, dy = i;
+	}
+}
+
+static int is_open(int x, int y) { return open_cell[y][x]; }
+static int strip(int x, int y) { (void)x, (void)y; return 1; }
+static int comb(int x, int y) { return y == 0 || x%2 == 0; }
+
+/* Splits triangles until there are about n vertices: all, or at random one in four and those at hubs. */
+static void
+split_to(int n, int everywhere, Subdivision *s)
+{
+	unsigned seed = 1;
+
+	while (s->d.m.nv < n/(everywhere ? 2 : 1.3)) {
+		const Mesh *m = &s->d.m;
+		unsigned char *marked = malloc(m->nf);
+		int *degree = calloc(m->nv, sizeof *degree), t, k;
+
+		for (t = 0; t < 3*m->nf; t++)
+			degree[m->tri[t]]++;
+		for (t = 0; t < m->nf; t++) {
+			seed = 1664525*seed + 1013904223;
+			marked[t] = seed >> 30 == 0;
+			for (k = 0; k < 3; k++)
+				marked[t] |= degree[m->tri[3*t+k]] > 40;
+		}
+		assert_int_equal(subdivision_refine(s, everywhere ? NULL : marked, NULL), 0);
+		free(marked), free(degree);
+	}
+}
+
+/* The entries of the factor against those by CHOLMOD's methods. */
+static void
+check_fill(const char *name, const Graph *g)
+{
+	int *order = malloc(g->n*sizeof *order);
+	double entries, least;
+
+	assert_int_equal(order_graph(g, order), 0);
+	check_permutation(g, order);
+	entries = fill(g, order);
+	least = fmin(fill_of_minimum_degree(g), fill_of_metis(g));
+	if (!(entries < 1.5*least))
+		fail_msg("%s, %d vertices: %.0f entries, %.0f are possible", name, g->n, entries, least);
+	free(order);
+}
+
+/* Splits d in both ways.  Frees d. */
+static void
+check_split(const char *name, Disk *d)
+{
+	int everywhere;
+
+	for (everywhere = 0; everywhere < 2; everywhere++) {
+		Subdivision s;
+		Cotangent C;
+
+		assert_int_equal(subdivision_init(&s, d), 0);
+		split_to(50000, everywhere, &s);
+		assert_int_equal(cotangent_graph(&C, &s.d), 0);
+		check_fill(name, &C.g);
+		cotangent_free(&C);
+		subdivision_free(&s);
+	}
+	disk_free(d);
+}
+
+static void
+little_fill_on_split_meshes(void **state)
+{
+	static const char *const kind[] = { "torus", "face", "spiral" };
+	unsigned k;
+	Disk d;
+
+	(void)state;
+	for (k = 0; k < sizeof kind/sizeof *kind; k++) {
+		Synth s;
+		SynthDomain dom;
+
+		synth_disk(kind[k], 1000, &s, &dom, &d, NULL);
+		check_split(kind[k], &d);
+	}
+	disk_of_fan(500, 0, &d);
+	check_split("fan", &d);
+	disk_of_fan(100, 30, &d);
+	check_split("spike", &d);
+	disk_of_cells(31, 12, comb, &d);
+	check_split("comb", &d);
+	disk_of_cells(1000, 1, strip, &d);
+	check_split("strip", &d);
+	carve_spiral();
+	disk_of_cells(CELLS, CELLS, is_open, &d);
+	check_split("square spiral", &d);
+	for (k = 0; k < 4; k++) {
+		carve_maze(k);
+		disk_of_cells(CELLS, CELLS, is_open, &d);
+		check_split("maze", &d);
 	}
 }
 
@@ -221,6 +440,7 @@ main(void)
 		cmocka_unit_test(every_graph_is_ordered),
 		cmocka_unit_test(little_fill_on_a_path),
 		cmocka_unit_test(less_fill_than_minimum_degree),
+		cmocka_unit_test(little_fill_on_split_meshes),
 		cmocka_unit_test(same_order_for_any_threads),
 		cmocka_unit_test(cut_is_smallest),
 	};

@@ -5,16 +5,17 @@
  *
  *   vertices   AMD                    METIS (cholmod_metis)   this
  *   20 k       .01 + .04   .6  .06    .11 + .04   .6  .04     .04 + .03   .6  .05
- *   100 k      .06 + .30  4.5 1.0     .67 + .21  3.5  .48     .12 + .17  3.8  .59
- *   1 M        .9 + 6.5    66  45     6.8 + 2.6   46   17     1.4 + 3.0   50   21
+ *   100 k      .06 + .30  4.5 1.0     .67 + .21  3.5  .48     .12 + .17  3.8  .56
+ *   1 M        .9 + 6.5    66  45     6.8 + 2.6   46   17     1.4 + 2.8   49   19
  *
- * Below 20 k vertices AMD is faster by hundredths of a second, not worth a second method.  METIS
+ * Below 20 k vertices AMD is faster by hundredths of a second.  METIS
  * calls rand(), whose state belongs to the calling program.
  */
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "mindegree.h"
 #include "order.h"
 #include "split.h"
 #include "vertexcut.h"
@@ -101,27 +102,47 @@ piece_free(Piece *p)
 	memset(p, 0, sizeof *p);
 }
 
-/* Splits p in two, puts the separator at the end of its order, and frees p. */
+/* Orders all of p by minimum degree. */
+static int
+order_whole(const Piece *p)
+{
+	int i;
+
+	if (mindegree(&p->g, p->order))
+		return ORDER_ENOMEM;
+	for (i = 0; i < p->g.n; i++)
+		p->order[i] = p->name[p->order[i]];
+	return 0;
+}
+
+/* Makes the halves of p, with the separator at the end of its order.  count, work: of split(). */
+static int
+extract_halves(const Piece *p, const signed char *side, const int count[3], int *work, Piece half[2])
+{
+	int n[3] = { 0, 0, 0 }, i, e;
+
+	for (i = 0; i < p->g.n; i++)
+		work[i] = n[(int)side[i]]++;
+	for (i = 0; i < p->g.n; i++)
+		if (side[i] == CUT_SEPARATOR)
+			p->order[count[0] + count[1] + work[i]] = p->name[i];
+	half[0].order = p->order;
+	half[1].order = p->order + count[0];
+	e = extract(p, side, CUT_LEFT, work, count[0], &half[0]);
+	return e ? e : extract(p, side, CUT_RIGHT, work, count[1], &half[1]);
+}
+
+/* Splits p in two, puts the separator at the end of its order, and frees p.  Without a small separator all of p is
+ * ordered, and the halves are empty. */
 static int
 split_piece(Piece *p, Piece half[2])
 {
-	int *work = malloc(6*(size_t)p->g.n*sizeof *work), count[3], n[3] = { 0, 0, 0 }, i, e = ORDER_ENOMEM;
+	int *work = malloc(6*(size_t)p->g.n*sizeof *work), count[3], e = ORDER_ENOMEM;
 	signed char *side = malloc(p->g.n);
 
 	memset(half, 0, 2*sizeof *half);
-	if (work && side) {
-		split(p, side, count, work);
-		for (i = 0; i < p->g.n; i++)
-			work[i] = n[(int)side[i]]++;
-		for (i = 0; i < p->g.n; i++)
-			if (side[i] == CUT_SEPARATOR)
-				p->order[count[0] + count[1] + work[i]] = p->name[i];
-		half[0].order = p->order;
-		half[1].order = p->order + count[0];
-		e = extract(p, side, CUT_LEFT, work, count[0], &half[0]);
-		if (!e)
-			e = extract(p, side, CUT_RIGHT, work, count[1], &half[1]);
-	}
+	if (work && side)
+		e = split(p, side, count, work) ? extract_halves(p, side, count, work, half) : order_whole(p);
 	free(work);
 	free(side);
 	piece_free(p);

@@ -10,8 +10,10 @@
  * and those of f1 + f2 and f1 - f2 along the sides.  Of these four functions, the one whose median
  * level crosses the fewest edges is used.  The vertices near that level form a band that separates
  * the rest, and vertexcut.c finds the smallest separator within the band.  The two parts keep f1
- * and f2 until they are AGAIN times smaller.
+ * and f2 until they are AGAIN times smaller, or have no small separator; distances kept longer describe
+ * the parts of combs, spirals and rough surfaces badly.
  */
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -20,7 +22,10 @@
 
 enum {
 	BAND = 2,               /* about how many edges the band reaches to either side */
-	AGAIN = 64,
+	AGAIN = 4,
+	LARGE = 3,              /* a separator is small up to LARGE sqrt(n) vertices; about sqrt(n) are usual */
+	HUB = 24,               /* a vertex is a hub if it has more neighbours than HUB.. */
+	HUB_SHARE = 4,          /* ..and than sqrt(n)/HUB_SHARE */
 	SAMPLE = 1024,          /* vertices that suffice to find a level and its cost.. */
 	STRIDE = 16             /* ..but at least one in so many, in large pieces */
 };
@@ -175,41 +180,59 @@ count_sides(const signed char *side, int n, int count[3])
 		count[(int)side[i]]++;
 }
 
-/* A split that is always possible, though its separator may be large: the first and the second half
- * of the vertices, separated by those of the first that have neighbours in the second. */
-static void
-split_by_number(const Graph *g, signed char *side)
+/* Makes a separator of the hubs, and one side of all other vertices.  Shortest paths lead through a hub, so that
+ * f1 and f2 are constant on large parts beside it.  Returns 0 if there is no hub, or if there are too many. */
+static int
+split_off_hubs(const Graph *g, signed char *side, int count[3])
 {
-	int i, k;
+	double most = fmax(HUB, sqrt(g->n)/HUB_SHARE);
+	int i;
 
 	for (i = 0; i < g->n; i++)
-		side[i] = i < g->n/2 ? CUT_LEFT : CUT_RIGHT;
-	for (i = 0; i < g->n/2; i++)
-		for (k = g->first[i]; k < g->first[i+1]; k++)
-			if (g->adj[k] >= g->n/2)
-				side[i] = CUT_SEPARATOR;
+		side[i] = g->first[i+1] - g->first[i] > most ? CUT_SEPARATOR : CUT_LEFT;
+	count_sides(side, g->n, count);
+	return count[CUT_SEPARATOR] > 0 && count[CUT_SEPARATOR] <= sqrt(g->n);
 }
 
-void
-split(Piece *p, signed char *side, int count[3], int *work)
+/* Makes sides of whole components, without a separator.  If there is one component, returns 0, and *far is a vertex
+ * far from vertex 0. */
+static int
+split_components(const Graph *g, signed char *side, int count[3], int *far, int *work)
 {
-	int *queue = work + p->g.n, i, n = p->g.n, reached, last;
+	int *queue = work + g->n, i, n = g->n, last, reached = components(g, work, queue, &last);
+	int left = last > 0 ? last : reached;
 
-	if (n <= p->again) {
-		reached = components(&p->g, work, queue, &last);
-		if (reached < n || last > 0) {
-			memset(side, CUT_RIGHT, n);
-			for (i = 0; i < (last > 0 ? last : reached); i++)
-				side[queue[i]] = CUT_LEFT;
-			count_sides(side, n, count);
-			return;
-		}
-		coordinates(p, queue[n-1], work);
-	}
+	*far = queue[reached-1];
+	if (left == n)
+		return 0;
+	memset(side, CUT_RIGHT, n);
+	for (i = 0; i < left; i++)
+		side[queue[i]] = CUT_LEFT;
+	count_sides(side, n, count);
+	return 1;
+}
+
+/* Splits at a level of the present coordinates. */
+static int
+split_by_coordinates(const Piece *p, signed char *side, int count[3], int *work)
+{
+	int n = p->g.n;
+
 	split_at_level(p, side, work);
 	count_sides(side, n, count);
-	if (count[CUT_LEFT] < n/8 || count[CUT_RIGHT] < n/8) {
-		split_by_number(&p->g, side);
-		count_sides(side, n, count);
-	}
+	return count[CUT_LEFT] >= n/8 && count[CUT_RIGHT] >= n/8 && count[CUT_SEPARATOR] <= LARGE*sqrt(n);
+}
+
+int
+split(Piece *p, signed char *side, int count[3], int *work)
+{
+	int n = p->g.n, far;
+
+	if (n > p->again && split_by_coordinates(p, side, count, work))
+		return 1;
+	p->again = n;
+	if (split_components(&p->g, side, count, &far, work) || split_off_hubs(&p->g, side, count))
+		return 1;
+	coordinates(p, far, work);
+	return split_by_coordinates(p, side, count, work);
 }

@@ -14,7 +14,7 @@ typedef struct Piece {
 
 /* Sets side[i] to CUT_LEFT, CUT_RIGHT or CUT_SEPARATOR (vertexcut.h), so that no edge joins left and
  * right and neither side has all vertices; count[] is the number of each.  work is [6*n] scratch,
- * n > 1.  Cannot fail. */
-void split(Piece *p, signed char *side, int count[3], int *work);
+ * n > 1.  Returns 1, or 0 if it found no small separator with enough vertices on both sides. */
+int split(Piece *p, signed char *side, int count[3], int *work);
 
 #endif
