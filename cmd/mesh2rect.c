@@ -11,14 +11,17 @@
 #include "shared/load.h"
 #include "mesh2rect/corneropt.h"
 #include "mesh2rect/likeopt.h"
+#include "mesh2rect/quality.h"
 #include "mesh2rect/uvopt.h"
 
 static const char text[] =
 "usage: mesh2rect [OPTIONS] [MESH] >grid.lhg\n"
-"Maps a triangle mesh with one boundary (a topological disk: {formats}, by\n"
-"content, also gzipped; - or nothing: stdin) onto the rectangle [0,1] x [0,T] and samples\n"
-"it there.  writes channels x y z, metadata vertices faces corners certificate solved\n"
-"turned polished, and like with --like\n"
+"Maps a triangle mesh conformally onto the rectangle [0,1] x [0,T] and samples it there on\n"
+"a grid.  The mesh is a topological disk, in one piece with one boundary and no handle, and\n"
+"its triangles have areas; apart from that it may have any shape.  MESH is {formats},\n"
+"recognised by its content, also gzipped; - or nothing: stdin.  Writes channels x y z, and\n"
+"metadata vertices faces corners certificate solved turned overlaid polished, and like with\n"
+"--like.\n"
 "  -n, --cells=N|NxM  cells along u, or along u and v, 4..32767 each [256]\n"
 "  -c, --corners=I,J,K,L  boundary vertices, numbered from 0 as in the file, that become\n"
 "                     the corners (0,0) (1,0) (1,T) (0,T), counterclockwise\n"
@@ -35,17 +38,19 @@ static const char text[] =
 "      --flip         reverse the normal of the surface\n"
 "      --tolerance=X  split the facets where the error of the map is largest until its\n"
 "                     certificate sqrt(E(u) E(v/T)) - 1, E the Dirichlet energy, is at most X,\n"
-"                     0..1 [1e-3]\n"
+"                     0..1; if it is not reached, this is noted [1e-3]\n"
 "      --split=N      finally split every facet into four, N times; the map is then of quadratic\n"
 "                     elements on the mesh before the last of these splits, 0..8 [1]\n"
 "      --max-vertices=N  --tolerance and --split stop at about N vertices, 0..100000000 [300000]\n"
 "      --surface=smooth|facets  between the vertices the surface is C1 and cubic\n"
-"                     (Clough-Tocher over the chart) or flat [smooth]\n"
+"                     (Clough-Tocher over the chart) or flat [smooth]; with smooth it is\n"
+"                     flat near triangles that straight edges in the chart turn over\n"
 "      --polish=N     at most N rounds that map the grid by its own metric, each kept only if\n"
 "                     the grid becomes more conformal, 0..100 [12]\n"
 "      --uv=FILE      write the mesh as it was read, with its (u,v), to FILE {uv ends}:\n"
 "                     for textures, and for grid2mesh --on; vertices of no face get -1,-1;\n"
-"                     FILE is neither MESH nor the output\n"
+"                     triangles turned over there are noted; FILE is neither MESH nor the\n"
+"                     output\n"
 CMD_USAGE
 "With --split of 1 or more the map has quadratic elements.  On smooth surfaces, with a grid as\n"
 "fine as the mesh, the error of H is then of second order in the mesh size (1000 to 64000\n"
@@ -132,25 +137,6 @@ map_disk(const Disk *d, const int corner[4], Chart g, const ConformalOptions *op
 }
 
 static void
-describe(Lhg *out, const Disk *d, const int corner[4], double apart, const Conformal *c)
-{
-	const int *l = d->loop;
-
-	cmd_meta(out, "vertices", "%d", d->m.nv);
-	cmd_meta(out, "faces", "%d", d->m.nf);
-	cmd_meta(out, "corners", "%d,%d,%d,%d", d->file[l[corner[0]]], d->file[l[corner[1]]],
-	    d->file[l[corner[2]]], d->file[l[corner[3]]]);
-	if (apart >= 0)
-		cmd_meta(out, "like", "%.6g", apart);
-	cmd_meta(out, "certificate", "%.6g", c->certificate);
-	cmd_meta(out, "solved", "%d", c->vertices);
-	cmd_meta(out, "turned", "%d", c->turned);
-	cmd_meta(out, "polished", "%d", c->polished);
-	detail("T %.6g, certificate %.3g on %d vertices, %d triangles flipped, %d rounds of polish",
-	    out->T, c->certificate, c->vertices, c->turned, c->polished);
-}
-
-static void
 add_positions(Lhg *out, const Grid *grid)
 {
 	static const char *const name[3] = { "x", "y", "z" };
@@ -210,7 +196,8 @@ main(int argc, char *argv[])
 
 	lhg_init(&out, g.nu, g.nv, c.grid.g.T);
 	add_positions(&out, &c.grid);
-	describe(&out, &d, corner, apart, &c);
+	quality_meta(&out, &d, corner, apart, &c);
+	quality_notes(cmd_name_of(argv[optind]), uv, &d, &options, &c);
 	if (uv) {
 		uv_write(uv, &s, &d, c.u, c.v, out.T);
 		soup_free(&s);

@@ -229,6 +229,14 @@ setting() {
 	[ "$(mesh2rect -q -n 8 "$tmp/cap.off" | grep -a '^meta solved' | cut -d' ' -f3)" -gt 1000 ]
 }
 
+@test "mesh2rect notes a --tolerance that is not reached, if it could be missed" {
+	mkmesh -n 300 cap -o "$tmp/cap.off"
+	try 0 'above --tolerance=0.001: a larger --max-vertices than 400' "$tmp/cap.off" mesh2rect -n 8 --max-vertices=400
+	try 0 '' "$tmp/cap.off" mesh2rect -q -n 8 --max-vertices=400
+	try 0 '' "$tmp/cap.off" mesh2rect -n 8 --tolerance=1
+	try 0 '' "$tmp/cap.off" mesh2rect -n 8 --tolerance=0 --max-vertices=400
+}
+
 @test "lhinfo --json escapes quotes, backslashes and bytes that are not UTF-8 in metadata" {
 	/usr/bin/python3 - "$tmp/lh.odd" <<-'END'
 		import sys

@@ -30,6 +30,19 @@ setup() {
 	try 0 ''                                         /dev/null mesh2rect -q -n 16 "$b/orientation_half_flipped.obj"
 }
 
+@test "triangles that straight edges turn over are counted: in the metadata, with -v, and for --uv" {
+	f=$meshes/wild/flat_star_refused.off
+	try 0 '' /dev/null mesh2rect -n 8 "$f"
+	try 0 'star.obj: [0-9]+ of 52 triangles are turned over in \(u,v\)' /dev/null mesh2rect -n 8 --uv="$tmp/star.obj" "$f"
+	[ "$(grep -a '^meta turned' "$tmp/out" | cut -d' ' -f3)" = "$(grep -o '[0-9]* of' "$tmp/err" | cut -d' ' -f1)" ]
+	try 0 '' /dev/null mesh2rect -q -n 8 --uv="$tmp/star.obj" "$f"
+	mesh2rect -v -n 8 "$f" 2>"$tmp/err" | grep -a '^meta overlaid' | cut -d' ' -f3 >"$tmp/n"
+	[ "$(cat "$tmp/n")" -gt 0 ]
+	grep -q ": $(cat "$tmp/n") of 52 triangles .* near them the facets are sampled" "$tmp/err"
+	# With --surface=facets nothing else is sampled.
+	mesh2rect -v -n 8 --surface=facets "$f" 2>&1 >/dev/null | run ! grep 'are sampled'
+}
+
 @test "every good mesh goes through the first pipeline" {
 	local f
 	for f in "$meshes"/good/*; do

@@ -1,0 +1,52 @@
+/* quality.c - reports the quality of a map: metadata, details, notes. */
+#include "../shared/cmd.h"
+#include "quality.h"
+
+static const double FULL = 0.9; /* share of --max-vertices at which splitting may end */
+
+void
+quality_meta(Lhg *out, const Disk *d, const int corner[4], double apart, const Conformal *c)
+{
+	const int *l = d->loop;
+
+	cmd_meta(out, "vertices", "%d", d->m.nv);
+	cmd_meta(out, "faces", "%d", d->m.nf);
+	cmd_meta(out, "corners", "%d,%d,%d,%d", d->file[l[corner[0]]], d->file[l[corner[1]]],
+	    d->file[l[corner[2]]], d->file[l[corner[3]]]);
+	if (apart >= 0)
+		cmd_meta(out, "like", "%.6g", apart);
+	cmd_meta(out, "certificate", "%.6g", c->certificate);
+	cmd_meta(out, "solved", "%d", c->vertices);
+	cmd_meta(out, "turned", "%d", c->turned);
+	cmd_meta(out, "overlaid", "%d", c->overlaid);
+	cmd_meta(out, "polished", "%d", c->polished);
+}
+
+/* With a tolerance of 0 or 1 splitting goes on to --max-vertices, or is off: neither can be missed. */
+static void
+note_tolerance(const char *mesh, const AdaptOptions *o, const Conformal *c)
+{
+	if (!(c->certificate > o->tolerance && o->tolerance > 0 && o->tolerance < 1))
+		return;
+	if (c->vertices >= FULL*o->most)
+		note("%s: certificate %.3g of the map is above --tolerance=%g: "
+		    "a larger --max-vertices than %d lowers it", mesh, c->certificate, o->tolerance, o->most);
+	else
+		note("%s: certificate %.3g of the map is above --tolerance=%g: "
+		    "splitting more facets does not lower it", mesh, c->certificate, o->tolerance);
+}
+
+void
+quality_notes(const char *mesh, const char *uv, const Disk *d, const ConformalOptions *o,
+	const Conformal *c)
+{
+	detail("T %.6g, certificate %.3g on %d vertices, %d triangles turned over, %d rounds of polish",
+	    c->grid.g.T, c->certificate, c->vertices, c->turned, c->polished);
+	if (c->overlaid && o->surface == SAMPLER_SMOOTH)
+		detail("%s: %d of %d triangles are turned over or flat if drawn with straight edges in (u,v): "
+		    "near them the facets are sampled", mesh, c->overlaid, d->m.nf);
+	note_tolerance(mesh, &o->map, c);
+	if (uv && c->turned)
+		note("%s: %d of %d triangles are turned over in (u,v): "
+		    "the map bends their edges, (u,v) has them straight", uv, c->turned, d->m.nf);
+}
