@@ -47,6 +47,6 @@ quality_notes(const char *mesh, const char *uv, const Disk *d, const ConformalOp
 		    "near them the facets are sampled", mesh, c->overlaid, d->m.nf);
 	note_tolerance(mesh, &o->map, c);
 	if (uv && c->turned)
-		note("%s: %d of %d triangles are turned over in (u,v): "
-		    "the map bends their edges, (u,v) has them straight", uv, c->turned, d->m.nf);
+		note("%s: %d of %d triangles are turned over in (u,v), where edges are straight", uv, c->turned,
+		    d->m.nf);
 }

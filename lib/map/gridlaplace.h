@@ -6,7 +6,7 @@
  *   E(f) = integral  <grad f, A grad f> du dv,    A = sqrt(det g) g^-1,  g = (E F; F G),
  *
  * by bilinear elements and 2 x 2 points a cell; the tangents in g are means of cell and central
- * differences.  A is the identity where phi is conformal.  doc/mathematics.md 3.6.
+ * differences.  A is the identity where phi is conformal.  doc/mathematics.md 3.7.
  */
 #ifndef GRIDLAPLACE_H
 #define GRIDLAPLACE_H

@@ -1,4 +1,4 @@
-/* polish.h - makes a nearly conformal grid conformal (doc/mathematics.md 3.6).
+/* polish.h - makes a nearly conformal grid conformal (doc/mathematics.md 3.7).
  *
  * The grid is itself a surface, and is mapped conformally once more, with its own metric
  * (gridlaplace.h): a and b, 0..1, harmonic on it, T = sqrt(E(a)/E(b)).  The map

@@ -2,7 +2,7 @@
  *
  * Bilinear elements on [0,1] x [0,T]; values are 0 on the two sides across one axis and
  * free on the other two.  The eigenvectors are sines along the axis and cosines across it.
- * The operator is the preconditioner of the polish (doc/mathematics.md 3.6).
+ * The operator is the preconditioner of the polish (doc/mathematics.md 3.7).
  */
 #ifndef PLANELAPLACE_H
 #define PLANELAPLACE_H
