@@ -5,7 +5,7 @@
 #include "crossings.h"
 #include "edgepoints.h"
 
-static const double ON_SIDE = 1e-7;     /* barycentric coordinate below which a point is taken to a side */
+static const double ON_SIDE = 1e-9;     /* barycentric coordinate below which a point is taken to a side */
 
 static int
 add_point(EdgePoints *p, SurfacePoint point)

@@ -6,7 +6,8 @@
 #include "../base/vec3.h"
 #include "intrinsic.h"
 
-static const double THIN = 1e-8;        /* least excess of two sides over the third, of the mean length */
+static const double THIN = 1e-7;        /* least excess of two sides over the third, of the shortest of them */
+enum { PASSES = 100 };                  /* of mollification, at most */
 static const double STEEPEST = 1e15;    /* largest cotangent */
 
 static int
@@ -82,19 +83,49 @@ intrinsic_init(Intrinsic *t, const Disk *d)
 	return 0;
 }
 
-void
+/* Of triangle f: its shortest edge, and how much longer it must be. */
+static double
+shortfall(const Intrinsic *t, int f, int *shortest)
+{
+	double sum = 0, low = HUGE_VAL, high = 0;
+	int k;
+
+	for (k = 0; k < 3; k++) {
+		double l = intrinsic_length(t, 3*f + k);
+
+		sum += l;
+		high = fmax(high, l);
+		if (l < low) {
+			low = l;
+			*shortest = t->edge[3*f+k];
+		}
+	}
+	return THIN*low - (sum - 2*high);
+}
+
+int
 intrinsic_mollify(Intrinsic *t)
 {
-	double mean = 0, excess = HUGE_VAL;
-	int e, h;
+	double *more = malloc(t->ne*sizeof *more);
+	int f, e = 0, k, changed = 1;
 
-	for (e = 0; e < t->ne; e++)
-		mean += t->length[e]/t->ne;
-	for (h = 0; h < 3*t->nf; h++)
-		excess = fmin(excess, intrinsic_length(t, intrinsic_next(h)) + intrinsic_length(t, intrinsic_last(h))
-		    - intrinsic_length(t, h));
-	for (e = 0; excess < THIN*mean && e < t->ne; e++)
-		t->length[e] += THIN*mean - excess;
+	if (!more)
+		return INTRINSIC_ENOMEM;
+	for (k = 0; k < PASSES && changed; k++) {
+		memset(more, 0, t->ne*sizeof *more);
+		for (f = 0; f < t->nf; f++) {
+			double need = shortfall(t, f, &e);
+
+			more[e] = fmax(more[e], need);
+		}
+		for (changed = 0, e = 0; e < t->ne; e++)
+			if (more[e] > 0) {
+				t->length[e] += more[e]*(1 + THIN);
+				changed = 1;
+			}
+	}
+	free(more);
+	return 0;
 }
 
 void

@@ -33,9 +33,10 @@ typedef struct Intrinsic {
 int  intrinsic_init(Intrinsic *t, const Disk *d);
 void intrinsic_free(Intrinsic *t);
 
-/* Makes all edges longer by the same small length, so that in every triangle two sides exceed the third by
- * 1e-8 of the mean length: a triangle that is flat to rounding has no usable angles.  Not after a flip. */
-void intrinsic_mollify(Intrinsic *t);
+/* Makes the shortest edges of triangles that are flat to rounding a little longer, until two sides exceed the third
+ * by 1e-7 of the shortest: such triangles would have no usable angles.  Not after a flip.
+ * Returns 0 or INTRINSIC_ENOMEM. */
+int  intrinsic_mollify(Intrinsic *t);
 
 static inline int
 intrinsic_next(int side)

@@ -108,10 +108,8 @@ triangulate(Embeddable *s, int feet, EdgePoints *points)
 
 	intrinsic_free(&s->t);
 	e = !side || intrinsic_init(&s->t, &s->mesh.d) ? EMBED_ENOMEM : 0;
-	if (!e) {
-		intrinsic_mollify(&s->t);
-		e = intrinsic_delaunay(&s->t, s->key) ? EMBED_ENOMEM : 0;
-	}
+	if (!e)
+		e = intrinsic_mollify(&s->t) || intrinsic_delaunay(&s->t, s->key) ? EMBED_ENOMEM : 0;
 	if (!e)
 		marked = malloc(s->t.ne);
 	if (!e && !marked)
