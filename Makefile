@@ -36,7 +36,7 @@ endif
 LIBOBJ   := $(patsubst %,$(BUILD)/%.o,$(basename $(wildcard format/*.c lib/*/*.c lib/*/*.cc)))
 SHARED   := $(patsubst %.c,$(BUILD)/%.o,$(wildcard cmd/*/*.c))
 BIN      := $(CMD:%=$(BUILD)/bin/%)
-TESTSRC  := $(filter-out tests/fault.c,$(wildcard tests/*.c))
+TESTSRC  := $(filter-out tests/fault.c tests/disks.c,$(wildcard tests/*.c))
 TESTBIN  := $(TESTSRC:%.c=$(BUILD)/%)
 UNIT     := $(filter $(BUILD)/tests/test_%,$(TESTBIN))
 # Every file of tests/fuzz/ but those that all targets share, so each mesh format with a file there.
@@ -45,7 +45,7 @@ FUZZBIN  := $(FUZZ:%=$(BUILD)/tests/fuzz/%)
 FUZZMAIN := $(BUILD)/tests/fuzz/replay.o
 FUZZOBJ  := $(BUILD)/tests/fuzz/memory.o $(BUILD)/tests/fuzz/mesh.o
 OBJ      := $(LIBOBJ) $(SHARED) $(CMD:%=$(BUILD)/cmd/%.o) $(TESTBIN:%=%.o) \
-            $(FUZZBIN:%=%.o) $(FUZZMAIN) $(FUZZOBJ) $(BUILD)/tests/fault.o
+            $(FUZZBIN:%=%.o) $(FUZZMAIN) $(FUZZOBJ) $(BUILD)/tests/fault.o $(BUILD)/tests/disks.o
 LIB      := $(BUILD)/liblhgrid.a
 CMDLIB   := $(BUILD)/libcmd.a
 
@@ -84,6 +84,12 @@ $(FAULTY): $(BUILD)/faulty/%: $(BUILD)/cmd/%.o $(FAULT) | $(CMDLIB) $(LIB)
 $(BUILD)/tests/test_memory: $(FAULT)
 $(BUILD)/tests/test_memory: WITH = $(FAULT)
 $(BUILD)/tests/test_memory: WRAP = $(WRAPPED:%=-Wl,--wrap=%)
+
+# Tests on random disks.
+DISKS    := $(BUILD)/tests/disks.o
+ONDISKS  := $(patsubst %,$(BUILD)/tests/test_%,subdivision intrinsic overlay intrinsicmap)
+$(ONDISKS): $(DISKS)
+$(ONDISKS): WITH = $(DISKS)
 
 $(TESTBIN): %: %.o | $(LIB)
 	$(call link,$< $(WITH),$(LIB),-lcmocka -lsuitesparseconfig)
@@ -152,6 +158,7 @@ compile_commands.json:
 soak: all tests
 	LHG_CHANGES=1000000 $(BUILD)/tests/test_lhgdamage
 	SOAK=1 $(BUILD)/tests/test_memory
+	SOAK=1 $(BUILD)/tests/test_intrinsicmap
 	SOAK=1 bats $(patsubst %,tests/%.bats,kill memory output same)
 
 # The targets under libFuzzer, with what they need of the library and no more.
