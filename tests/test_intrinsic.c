@@ -1,0 +1,554 @@
+/* test_intrinsic.c - intrinsic triangulations: Delaunay, of the same surface, and crossed by mesh edges where these
+ * cross them in the plane. */
+#include "cmock.h"
+
+#include <math.h>
+
+#include "../lib/base/vec3.h"
+#include "../lib/intrinsic/crossings.h"
+#include "../lib/intrinsic/flips.h"
+#include "../lib/mesh/topology.h"
+#include "../lib/synth/rng.h"
+#include "disks.h"
+#include "synthdisk.h"
+
+static int
+start(const Intrinsic *t, int e)
+{
+	return t->from[t->side[e]];
+}
+
+static int
+end(const Intrinsic *t, int e)
+{
+	return t->from[intrinsic_next(t->side[e])];
+}
+
+static double
+total_area(const Intrinsic *t)
+{
+	double sum = 0;
+	int f;
+
+	for (f = 0; f < t->nf; f++)
+		sum += intrinsic_area(intrinsic_length(t, 3*f), intrinsic_length(t, 3*f + 1), intrinsic_length(t, 3*f + 2));
+	return sum;
+}
+
+/* The sum of the angles at each vertex. */
+static double *
+angle_sums(const Intrinsic *t)
+{
+	double *sum = calloc(t->nv, sizeof *sum), above, below;
+	int h;
+
+	for (h = 0; h < 3*t->nf; h++) {
+		intrinsic_cotangent_parts(t, h, &above, &below);
+		sum[t->from[intrinsic_last(h)]] += atan2(below, above);
+	}
+	return sum;
+}
+
+/* Each side has its twin, its edge and the ends of both. */
+static void
+check_sides(const Intrinsic *t)
+{
+	int h, e;
+
+	for (h = 0; h < 3*t->nf; h++) {
+		int g = t->twin[h];
+
+		assert_true(t->edge[h] >= 0 && t->edge[h] < t->ne);
+		assert_true(t->side[t->edge[h]] == h || t->side[t->edge[h]] == g);
+		if (g < 0)
+			continue;
+		assert_int_equal(t->twin[g], h);
+		assert_int_equal(t->edge[g], t->edge[h]);
+		assert_int_equal(t->from[g], t->from[intrinsic_next(h)]);
+		assert_int_equal(t->from[h], t->from[intrinsic_next(g)]);
+	}
+	for (e = 0; e < t->ne; e++)
+		assert_int_equal(t->edge[t->side[e]], e);
+}
+
+/* cot a + cot b >= 0 up to `small`, of needles relative to their cotangents. */
+static void
+check_delaunay(const Intrinsic *t, double small)
+{
+	int e;
+
+	for (e = 0; e < t->ne; e++) {
+		int h = t->side[e], g = t->twin[h];
+		double a, b;
+
+		if (g < 0)
+			continue;
+		a = intrinsic_cotangent(t, h), b = intrinsic_cotangent(t, g);
+		assert_true(a + b >= -small*fmax(1, fabs(a) + fabs(b)) || h/3 == g/3);
+	}
+}
+
+static void
+check_flips(const Disk *d)
+{
+	Intrinsic before, t;
+	double *angle, *was;
+	int i;
+
+	assert_int_equal(intrinsic_init(&before, d) | intrinsic_init(&t, d), 0);
+	assert_int_equal(intrinsic_delaunay(&t, NULL), 0);
+	check_sides(&t);
+	check_delaunay(&t, 1e-9);
+	assert_true(fabs(total_area(&t)/total_area(&before) - 1) < 1e-9);
+	angle = angle_sums(&t), was = angle_sums(&before);
+	for (i = 0; i < t.nv; i++)
+		assert_true(fabs(angle[i] - was[i]) < 1e-9);
+	free(angle), free(was);
+	intrinsic_free(&before);
+	intrinsic_free(&t);
+}
+
+static void
+delaunay_keeps_the_surface(void **state)
+{
+	static const char *const kind[] = { "face", "cortex", "tooth", "spiral" };
+	SynthDomain dom;
+	uint64_t seed;
+	size_t i;
+	Synth s;
+	Disk d;
+
+	(void)state;
+	for (i = 0; i < sizeof kind/sizeof *kind; i++) {
+		synth_disk(kind[i], 1000, &s, &dom, &d, NULL);
+		check_flips(&d);
+		disk_free(&d);
+	}
+	for (seed = 0; seed < 60; seed++) {
+		char tag[DISKS_TAG];
+
+		if (disks_random(seed, DISKS_NICE, &d, tag))
+			continue;
+		check_flips(&d);
+		disk_free(&d);
+	}
+}
+
+/* In disks with needles, whose angles are known less well. */
+static void
+delaunay_with_needles(void **state)
+{
+	uint64_t seed;
+
+	(void)state;
+	for (seed = 0; seed < 60; seed++) {
+		char tag[DISKS_TAG];
+		Intrinsic t;
+		Disk d;
+
+		if (disks_random(seed, DISKS_ANY, &d, tag))
+			continue;
+		assert_int_equal(intrinsic_init(&t, &d), 0);
+		intrinsic_mollify(&t);
+		assert_int_equal(intrinsic_delaunay(&t, NULL), 0);
+		check_sides(&t);
+		check_delaunay(&t, 1e-6);
+		intrinsic_free(&t);
+		disk_free(&d);
+	}
+}
+
+static void
+mollified_triangles_have_area(void **state)
+{
+	double xyz[] = { 0,0,0, 1,0,0, 1,1,0, 0,1,0, .3,0,0, .5,1e-9,0 };
+	int tri[] = { 0,4,5, 4,1,5, 1,2,5, 2,3,5, 3,0,5 }, f, k;
+	Intrinsic t;
+	Disk d;
+
+	(void)state;
+	assert_int_equal(disks_of(6, xyz, 5, tri, &d), 0);
+	assert_int_equal(intrinsic_init(&t, &d), 0);
+	intrinsic_mollify(&t);
+	for (f = 0; f < t.nf; f++)
+		for (k = 0; k < 3; k++)
+			assert_true(intrinsic_length(&t, 3*f + (k+1)%3) + intrinsic_length(&t, 3*f + (k+2)%3)
+			    - intrinsic_length(&t, 3*f + k) > 5e-9);
+	intrinsic_free(&t);
+	disk_free(&d);
+}
+
+/* A disk in the plane that is far from Delaunay: sheared, and drawn out tenfold. */
+static void
+shear(Disk *d)
+{
+	int i;
+
+	for (i = 0; i < d->m.nv; i++) {
+		double *x = &d->m.xyz[3*i];
+
+		x[0] = 10*(x[0] + .3*x[1]);
+	}
+}
+
+static double
+orientation(const double *a, const double *b, const double *c)
+{
+	return (b[0] - a[0])*(c[1] - a[1]) - (b[1] - a[1])*(c[0] - a[0]);
+}
+
+/* A crossing of edge e of the triangulation. */
+typedef struct Crossing {
+	int    mesh;
+	double on_edge, on_mesh;
+} Crossing;
+
+static int
+along_edge(const void *a, const void *b)
+{
+	const Crossing *p = a, *q = b;
+
+	return p->on_edge < q->on_edge ? -1 : p->on_edge > q->on_edge;
+}
+
+/* The crossings of edge e with all edges of the mesh, in the plane.  Returns their number. */
+static int
+cross_all(const Intrinsic *t, const Disk *d, int e, Crossing *c)
+{
+	const double *x = d->m.xyz, *a = &x[3*start(t, e)], *b = &x[3*end(t, e)];
+	int i, n = 0;
+
+	for (i = 0; i < t->ne; i++) {
+		int from = d->m.tri[t->mesh_side[i]], to = d->m.tri[topology_next(t->mesh_side[i])];
+		double pa, pb, qa, qb;
+
+		if (from == start(t, e) || from == end(t, e) || to == start(t, e) || to == end(t, e))
+			continue;
+		pa = orientation(&x[3*from], &x[3*to], a), pb = orientation(&x[3*from], &x[3*to], b);
+		qa = orientation(a, b, &x[3*from]), qb = orientation(a, b, &x[3*to]);
+		if ((pa > 0) != (pb > 0) && (qa > 0) != (qb > 0))
+			c[n++] = (Crossing){ i, pa/(pa - pb), qa/(qa - qb) };
+	}
+	qsort(c, n, sizeof *c, along_edge);
+	return n;
+}
+
+/* Returns the number of crossings. */
+static size_t
+check_plane(const Disk *d)
+{
+	double longest = 0, length, x[3];
+	Crossing *c;
+	Intrinsic t;
+	Places p;
+	size_t all;
+	int e, k, n;
+
+	assert_int_equal(intrinsic_init(&t, d), 0);
+	c = malloc(t.ne*sizeof *c);
+	for (e = 0; e < t.ne; e++) {
+		sub3(&d->m.xyz[3*start(&t, e)], &d->m.xyz[3*end(&t, e)], x);
+		longest = fmax(longest, norm3(x));
+		assert_int_equal(t.mesh_from[e], start(&t, e));
+	}
+	assert_int_equal(intrinsic_delaunay(&t, NULL), 0);
+	assert_int_equal(crossings_places(&t, &p), 0);
+	for (e = 0; e < t.ne; e++) {
+		sub3(&d->m.xyz[3*start(&t, e)], &d->m.xyz[3*end(&t, e)], x);
+		length = norm3(x)/longest;
+		assert_true(fabs(t.length[e] - length) < 1e-9*fmax(1, length));
+		n = cross_all(&t, d, e, c);
+		assert_int_equal(t.crossings[e], n);
+		assert_int_equal(p.first[e+1] - p.first[e], n);
+		if (t.along[e] >= 0) {
+			int h = t.mesh_side[t.along[e]], from = d->m.tri[h], to = d->m.tri[topology_next(h)];
+
+			assert_int_equal(n, 0);
+			assert_true((from == start(&t, e) && to == end(&t, e)) || (to == start(&t, e) && from == end(&t, e)));
+		}
+		for (k = 0; k < n; k++) {
+			assert_int_equal(t.crossing[e][k], c[k].mesh);
+			assert_true(fabs(p.on_edge[p.first[e] + k] - c[k].on_edge) < 1e-8);
+			assert_true(fabs(p.on_mesh[p.first[e] + k] - c[k].on_mesh) < 1e-8);
+		}
+	}
+	all = p.first[t.ne];
+	free(c);
+	places_free(&p);
+	intrinsic_free(&t);
+	return all;
+}
+
+static void
+crossings_of_the_plane(void **state)
+{
+	static const char *const kind[] = { "rectangle", "sector", "lshape" };
+	SynthDomain dom;
+	uint64_t seed;
+	size_t i, all = 0;
+	Synth s;
+	Disk d;
+
+	(void)state;
+	for (i = 0; i < sizeof kind/sizeof *kind; i++) {
+		synth_disk(kind[i], 300, &s, &dom, &d, NULL);
+		shear(&d);
+		assert_true(check_plane(&d) > (size_t)d.m.nf);
+		disk_free(&d);
+	}
+	for (seed = 0; seed < 40; seed++) {
+		char tag[DISKS_TAG];
+
+		if (disks_random(seed, DISKS_FLAT, &d, tag))
+			continue;
+		/* squares: edges would go through vertices */
+		if (d.m.nf < 1000 && strncmp(tag, "grid", 4) != 0) {
+			shear(&d);
+			all += check_plane(&d);
+		}
+		disk_free(&d);
+	}
+	assert_true(all > 1000);
+}
+
+/* The pieces of a triangle use up the crossings of its sides. */
+static void
+pieces_use_all_crossings(void **state)
+{
+	SynthDomain dom;
+	Intrinsic t;
+	Synth s;
+	Disk d;
+	int f, k;
+
+	(void)state;
+	synth_disk("face", 1000, &s, &dom, &d, NULL);
+	shear(&d);
+	assert_int_equal(intrinsic_init(&t, &d), 0);
+	assert_int_equal(intrinsic_delaunay(&t, NULL), 0);
+	for (f = 0; f < t.nf; f++) {
+		Pieces p = crossings_pieces(&t, f);
+
+		for (k = 0; k < 3; k++)
+			assert_int_equal(p.round[k] + p.round[(k+1)%3] + p.start[(k+2)%3], t.crossings[t.edge[3*f+k]]);
+		assert_true(!p.start[0] + !p.start[1] + !p.start[2] >= 2);
+	}
+	intrinsic_free(&t);
+	disk_free(&d);
+}
+
+/* The edges as pairs of vertices, smaller number first. */
+typedef struct Pair {
+	int a, b;
+} Pair;
+
+static int
+by_vertices(const void *a, const void *b)
+{
+	const Pair *p = a, *q = b;
+
+	return p->a != q->a ? (p->a < q->a ? -1 : 1) : (p->b > q->b) - (p->b < q->b);
+}
+
+/* number: of each vertex, or NULL. */
+static Pair *
+edges_of(const Disk *d, const double *key, const int *number, int *ne)
+{
+	Intrinsic t;
+	Pair *pair;
+	int e;
+
+	assert_int_equal(intrinsic_init(&t, d), 0);
+	assert_int_equal(intrinsic_delaunay(&t, key), 0);
+	pair = malloc(t.ne*sizeof *pair);
+	for (e = 0; e < t.ne; e++) {
+		int a = start(&t, e), b = end(&t, e);
+
+		a = number ? number[a] : a, b = number ? number[b] : b;
+		pair[e] = a < b ? (Pair){ a, b } : (Pair){ b, a };
+	}
+	qsort(pair, t.ne, sizeof *pair, by_vertices);
+	*ne = t.ne;
+	intrinsic_free(&t);
+	return pair;
+}
+
+/* A number at each vertex that depends on its place alone. */
+static double *
+keys_of(const Disk *d)
+{
+	double *key = malloc(d->m.nv*sizeof *key);
+	int i;
+
+	for (i = 0; i < d->m.nv; i++) {
+		const double *x = &d->m.xyz[3*i];
+
+		key[i] = hypot(x[0] + 1, x[1] + 1.7) + 1.01*hypot(x[0] - 40, x[1] + 2) + 1.03*hypot(x[1] - 30, x[2]);
+	}
+	return key;
+}
+
+static void
+check_order(const Disk *d, uint64_t seed, int keys)
+{
+	int *number = malloc(d->m.nv*sizeof *number), *back = malloc(d->m.nv*sizeof *back), i, n, n1, n2;
+	double *key = keys ? keys_of(d) : NULL, *key1 = NULL;
+	Pair *pair, *pair1, *pair2;
+	Disk one, two;
+
+	assert_int_equal(disks_renumbered(d, seed, &one, number), 0);
+	for (i = 0; i < d->m.nv; i++)
+		back[number[i]] = i;
+	assert_int_equal(disks_reordered(d, seed, &two), 0);
+	key1 = keys ? keys_of(&one) : NULL;
+	pair = edges_of(d, key, NULL, &n);
+	pair1 = edges_of(&one, key1, back, &n1);
+	pair2 = edges_of(&two, key, NULL, &n2);
+	assert_true(n1 == n && n2 == n);
+	assert_memory_equal(pair, pair1, n*sizeof *pair);
+	assert_memory_equal(pair, pair2, n*sizeof *pair);
+	free(number), free(back), free(key), free(key1);
+	free(pair), free(pair1), free(pair2);
+	disk_free(&one), disk_free(&two);
+}
+
+/* Unit squares, the diagonal of each drawn by lot. */
+static void
+make_squares(int nx, int ny, uint64_t seed, Disk *d)
+{
+	double *xyz = calloc(3*(nx + 1)*(ny + 1), sizeof *xyz);
+	int *tri = malloc(6*nx*ny*sizeof *tri), i, n = 0;
+
+	for (i = 0; i < (nx + 1)*(ny + 1); i++)
+		xyz[3*i] = i%(nx + 1), xyz[3*i+1] = i/(nx + 1);
+	for (i = 0; i < nx*ny; i++) {
+		int a = i/nx*(nx + 1) + i%nx, b = a + 1, c = b + nx + 1, e = a + nx + 1;
+		int t[2][6] = { { a, b, c, a, c, e }, { a, b, e, b, c, e } };
+
+		memcpy(&tri[n], t[rng_unit(&seed) < .5], sizeof t[0]);
+		n += 6;
+	}
+	assert_int_equal(disks_of((nx + 1)*(ny + 1), xyz, 2*nx*ny, tri, d), 0);
+	free(xyz);
+	free(tri);
+}
+
+static void
+order_of_the_mesh_does_not_matter(void **state)
+{
+	SynthDomain dom;
+	uint64_t seed;
+	Synth s;
+	Disk d;
+
+	(void)state;
+	synth_disk("cortex", 2000, &s, &dom, &d, NULL);
+	check_order(&d, 1, 0);
+	disk_free(&d);
+	for (seed = 0; seed < 10; seed++) {
+		make_squares(14, 9, seed, &d);
+		check_order(&d, seed, 1);
+		disk_free(&d);
+	}
+	for (seed = 0; seed < 40; seed++) {
+		char tag[DISKS_TAG];
+
+		if (disks_random(seed, DISKS_NICE, &d, tag))
+			continue;
+		check_order(&d, seed, 1);
+		disk_free(&d);
+	}
+}
+
+/* Whether the disk has the side from a to b, or from b to a. */
+static int
+has_edge(const Disk *d, int a, int b)
+{
+	int h;
+
+	for (h = 0; h < 3*d->m.nf; h++) {
+		int from = d->m.tri[h], to = d->m.tri[topology_next(h)];
+
+		if ((from == a && to == b) || (from == b && to == a))
+			return 1;
+	}
+	return 0;
+}
+
+/* cot a + cot b of the side, by places. */
+static double
+cotangents(const Disk *d, int h)
+{
+	double sum = 0, x[3], y[3], n[3];
+	int k, side[2] = { h, d->twin[h] };
+
+	for (k = 0; k < 2; k++) {
+		const int *t = d->m.tri;
+		int a = side[k], b = topology_next(a), c = topology_next(b);
+
+		sub3(&d->m.xyz[3*t[a]], &d->m.xyz[3*t[c]], x);
+		sub3(&d->m.xyz[3*t[b]], &d->m.xyz[3*t[c]], y);
+		cross3(x, y, n);
+		sum += dot3(x, y)/norm3(n);
+	}
+	return sum;
+}
+
+static void
+improve_moves_no_given_edge(void **state)
+{
+	SurfacePoint point[1500];
+	SynthDomain dom;
+	Subdivision s;
+	uint64_t seed = 7;
+	Disk d, before;
+	Synth y;
+	int h, n = 0, inner = 0, changed = 0;
+
+	(void)state;
+	synth_disk("face", 200, &y, &dom, &d, NULL);
+	for (h = 0; h < 3*d.m.nf && n < 1400; h++) {
+		if (d.twin[h] < h)
+			point[n++] = subdivision_on_side(h, .1 + .8*rng_unit(&seed));
+		if (h%6 == 0)
+			point[n++] = (SurfacePoint){ h/3, { .2, .3, .5 } };
+	}
+	assert_int_equal(subdivision_init(&s, &d), 0);
+	assert_int_equal(subdivision_add(&s, n, point), n);
+	assert_int_equal(disks_of(s.d.m.nv, s.d.m.xyz, s.d.m.nf, s.d.m.tri, &before), 0);
+	for (h = 0; h < 3*s.d.m.nf; h++)
+		inner += s.inner[h];
+	assert_int_equal(intrinsic_improve(&s, NULL), 0);
+	assert_true(disks_is_disk(&s.d));
+	assert_memory_equal(s.d.m.xyz, before.m.xyz, 3*before.m.nv*sizeof(double));
+	assert_true(fabs(mesh_area(&s.d.m)/mesh_area(&d.m) - 1) < 1e-12);
+	for (h = 0; h < 3*s.d.m.nf; h++) {
+		inner -= s.inner[h];
+		if (s.inner[h]) {
+			assert_true(cotangents(&s.d, h) > -1e-9);
+			changed += !has_edge(&before, s.d.m.tri[h], s.d.m.tri[topology_next(h)]);
+		} else
+			assert_true(has_edge(&before, s.d.m.tri[h], s.d.m.tri[topology_next(h)]));
+	}
+	assert_int_equal(inner, 0);
+	assert_true(changed > 100);
+	subdivision_free(&s);
+	disk_free(&before);
+	disk_free(&d);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(delaunay_keeps_the_surface),
+		cmocka_unit_test(delaunay_with_needles),
+		cmocka_unit_test(mollified_triangles_have_area),
+		cmocka_unit_test(crossings_of_the_plane),
+		cmocka_unit_test(pieces_use_all_crossings),
+		cmocka_unit_test(order_of_the_mesh_does_not_matter),
+		cmocka_unit_test(improve_moves_no_given_edge),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
