@@ -289,15 +289,7 @@ grid(Made *m, int n)
 	return triangulate(m, 1, 1, 0, NULL);
 }
 
-static int
-by_size(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return x < y ? -1 : x > y;
-}
-
-/* Triangles round a hub; even ones, or between random angles. */
+/* Triangles round a hub, even or not. */
 static int
 fan(Made *m, int n)
 {
@@ -307,8 +299,7 @@ fan(Made *m, int n)
 
 	(void)n;
 	for (i = 0; i < k; i++)
-		angle[i] = 2*M_PI*(even ? i/(double)k : rng_unit(&m->rng));
-	qsort(angle, k, sizeof *angle, by_size);
+		angle[i] = 2*M_PI*(i + (even ? 0 : .9*rng_unit(&m->rng)))/k;
 	add(m, 0, 0);
 	for (i = 0; i < k; i++) {
 		double r = ragged ? between(m, .3, 1) : 1;
