@@ -87,7 +87,7 @@ $(BUILD)/tests/test_memory: WRAP = $(WRAPPED:%=-Wl,--wrap=%)
 
 # Tests on random disks.
 DISKS    := $(BUILD)/tests/disks.o
-ONDISKS  := $(patsubst %,$(BUILD)/tests/test_%,subdivision intrinsic overlay intrinsicmap)
+ONDISKS  := $(patsubst %,$(BUILD)/tests/test_%,subdivision intrinsic overlay intrinsicmap sampler)
 $(ONDISKS): $(DISKS)
 $(ONDISKS): WITH = $(DISKS)
 

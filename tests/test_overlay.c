@@ -1,0 +1,151 @@
+/* test_overlay.c - the common subdivision of a mesh and an intrinsic triangulation. */
+#include "cmock.h"
+
+#include <math.h>
+
+#include "../lib/base/vec3.h"
+#include "../lib/intrinsic/crossings.h"
+#include "../lib/intrinsic/flips.h"
+#include "../lib/intrinsic/overlay.h"
+#include "../lib/map/corners.h"
+#include "../lib/map/intrinsicmap.h"
+#include "../lib/mesh/topology.h"
+#include "disks.h"
+#include "synthdisk.h"
+
+static size_t
+count_crossings(const Intrinsic *t)
+{
+	size_t n = 0;
+	int e;
+
+	for (e = 0; e < t->ne; e++)
+		n += t->crossings[e];
+	return n;
+}
+
+/* Every crossing lies between the ends of the edge of the mesh that crosses there. */
+static void
+check_crossings(const Intrinsic *t, const Disk *mesh, const Subdivision *s)
+{
+	int e, i, k, c, v = t->nv;
+
+	for (e = 0; e < t->ne; e++)
+		for (k = 0; k < t->crossings[e]; k++, v++) {
+			int h = t->mesh_side[t->crossing[e][k]], a = mesh->m.tri[h], b = mesh->m.tri[topology_next(h)];
+			const int *corner = s->corner[v - s->given];
+			const double *w = s->w[v - s->given], *x = s->d.m.xyz;
+
+			assert_int_equal(corner[0], a);
+			assert_int_equal(corner[1], b);
+			assert_true(w[0] >= 0 && w[1] >= 0 && w[2] == 0 && fabs(w[0] + w[1] - 1) < 1e-15);
+			for (i = 0, c = 0; c < 3; c++) {
+				double size = fabs(x[3*a+c]) + fabs(x[3*b+c]);
+
+				i += fabs(w[0]*x[3*a+c] + w[1]*x[3*b+c] - x[3*v+c]) <= 1e-15*size;
+			}
+			assert_int_equal(i, 3);
+		}
+	assert_int_equal(v, s->d.m.nv);
+}
+
+/* The area on the surface, and in (u,v), where no triangle is turned over. */
+static void
+check_areas(double area, const Mesh *m, const double *u, const double *v, double T)
+{
+	double image = 0;
+	int f;
+
+	assert_true(fabs(mesh_area(m)/area - 1) < 1e-10);
+	for (f = 0; f < m->nf; f++) {
+		const int *c = &m->tri[3*f];
+		double a = (u[c[1]] - u[c[0]])*(v[c[2]] - v[c[0]]) - (u[c[2]] - u[c[0]])*(v[c[1]] - v[c[0]]);
+
+		assert_true(a > -1e-14*T);
+		image += a/2;
+	}
+	assert_true(fabs(image/T - 1) < 1e-10);
+}
+
+/* Returns the number of crossings. */
+static size_t
+check_overlay(const Disk *d)
+{
+	SpdReport report;
+	IntrinsicMap m;
+	Disk mesh;
+	size_t n;
+	int corner[4], vertex[4], k, nb;
+
+	assert_true(corners_auto(d, corner) >= 0);
+	for (k = 0; k < 4; k++)
+		vertex[k] = d->loop[corner[k]];
+	assert_int_equal(intrinsic_map(d, vertex, &(AdaptOptions){ 1, 0, 30000 }, &m, &report), 0);
+	nb = m.mesh.d.nb;
+	n = count_crossings(&m.t);
+	assert_int_equal(m.t.nf, m.mesh.d.m.nf);
+	mesh = (Disk){ .m = { .nv = m.mesh.d.m.nv, .nf = m.mesh.d.m.nf } };
+	mesh.m.tri = malloc(3*mesh.m.nf*sizeof *mesh.m.tri);
+	memcpy(mesh.m.tri, m.mesh.d.m.tri, 3*mesh.m.nf*sizeof *mesh.m.tri);
+	assert_int_equal(overlay(&m.t, &m.mesh, &m.u, &m.v), 0);
+	assert_int_equal(m.mesh.d.m.nf, m.t.nf + 2*n);
+	assert_int_equal(m.mesh.d.m.nv, m.t.nv + n);
+	assert_int_equal(m.mesh.d.nb, nb);
+	assert_true(disks_is_disk(&m.mesh.d));
+	check_crossings(&m.t, &mesh, &m.mesh);
+	check_areas(mesh_area(&d->m), &m.mesh.d.m, m.u, m.v, m.T);
+	free(mesh.m.tri);
+	intrinsic_map_free(&m);
+	return n;
+}
+
+static void
+overlay_of_surfaces(void **state)
+{
+	static const char *const kind[] = { "face", "cortex", "tooth", "spiral" };
+	SynthDomain dom;
+	size_t i, n = 0;
+	Synth s;
+	Disk d;
+
+	(void)state;
+	for (i = 0; i < sizeof kind/sizeof *kind; i++) {
+		synth_disk(kind[i], 1000, &s, &dom, &d, NULL);
+		n += check_overlay(&d);
+		disk_free(&d);
+	}
+	assert_true(n > 200);
+}
+
+static void
+overlay_of_random_disks(void **state)
+{
+	uint64_t seed;
+	size_t n = 0;
+	int kind;
+
+	(void)state;
+	for (seed = 0; seed < 40; seed++)
+		for (kind = DISKS_ANY; kind <= DISKS_FLAT; kind++) {
+			char tag[DISKS_TAG];
+			Disk d;
+
+			if (disks_random(seed, kind, &d, tag))
+				continue;
+			if (d.m.nf < 2000 && strncmp(tag, "fan", 3) != 0)
+				n += check_overlay(&d);
+			disk_free(&d);
+		}
+	assert_true(n > 10000);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(overlay_of_surfaces),
+		cmocka_unit_test(overlay_of_random_disks),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
