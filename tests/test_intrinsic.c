@@ -7,6 +7,7 @@
 #include "../lib/base/vec3.h"
 #include "../lib/intrinsic/crossings.h"
 #include "../lib/intrinsic/flips.h"
+#include "../lib/intrinsic/places.h"
 #include "../lib/mesh/topology.h"
 #include "../lib/synth/rng.h"
 #include "disks.h"
@@ -255,7 +256,7 @@ check_plane(const Disk *d)
 		assert_int_equal(t.mesh_from[e], start(&t, e));
 	}
 	assert_int_equal(intrinsic_delaunay(&t, NULL), 0);
-	assert_int_equal(crossings_places(&t, &p), 0);
+	assert_int_equal(places_init(&t, &p), 0);
 	for (e = 0; e < t.ne; e++) {
 		sub3(&d->m.xyz[3*start(&t, e)], &d->m.xyz[3*end(&t, e)], x);
 		length = norm3(x)/longest;

@@ -8,33 +8,38 @@
 #ifndef CROSSINGS_H
 #define CROSSINGS_H
 
-#include <stddef.h>
-
 #include "intrinsic.h"
 
-/* Updates the lists for the flip of the edge of side h; call it before the flip.  Returns 0 or INTRINSIC_ENOMEM. */
+/* Updates the lists for the flip of the edge of side h; to be called before the flip.  Returns 0 or
+ * INTRINSIC_ENOMEM. */
 int crossings_flip(Intrinsic *t, int h);
 
-/* The pieces of mesh edges within a triangle.  They join its sides round the corners, and from at most one corner
- * some go to the opposite side. */
+/* The pieces of mesh edges within a triangle.  A piece goes round a corner, from one side to the
+ * next; or it starts at a corner and goes to the opposite side, which is possible at one corner
+ * only. */
 typedef struct Pieces {
-	int round[3];           /* the number of pieces round each corner */
-	int start[3];           /* the number of those that start at it; 0 at two corners at least */
+	int round[3];           /* number of pieces round each corner */
+	int start[3];           /* number of pieces that start at it; 0 at two corners at least */
 } Pieces;
 
 Pieces crossings_pieces(const Intrinsic *t, int triangle);
 
-/* The places of all crossings.  Those of edge e are number first[e] .. first[e+1]-1, from its
- * start. */
-typedef struct Places {
-	size_t *first;          /* [ne+1] */
-	double *on_mesh;        /* 0..1 from the start of the mesh edge, as its mesh_side has it */
-	double *on_edge;        /* 0..1 from the start of the edge of the triangulation; not falling */
-} Places;
+/* The number of crossings of side h. */
+int crossings_on(const Intrinsic *t, int h);
 
-/* Unfolds the triangles along each edge of the mesh into the plane.  Returns 0 or INTRINSIC_ENOMEM; p
- * then holds nothing to free. */
-int  crossings_places(const Intrinsic *t, Places *p);
-void places_free(Places *p);
+/* The mesh edge at crossing p of side h, counted from the start of the side. */
+int crossings_mesh_edge(const Intrinsic *t, int h, int p);
+
+/* Crossing number `at` of a side, counted from the start of the side; a corner if at < 0. */
+typedef struct Crossing {
+	int side, at;
+} Crossing;
+
+/* Where the mesh edge that enters a triangle at crossing p of its side h leaves it.  at = -1: it
+ * ends at the opposite corner. */
+Crossing crossings_follow(const Intrinsic *t, int h, int p);
+
+/* The same crossing seen from the other triangle. */
+Crossing crossings_across(const Intrinsic *t, Crossing a);
 
 #endif

@@ -2,10 +2,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "crossings.h"
 #include "edgepoints.h"
+#include "places.h"
 
-static const double ON_SIDE = 1e-9;     /* barycentric coordinate below which a point is taken to a side */
+static const double ON_SIDE = 1e-9;     /* barycentric coordinate that is set to 0, if it is below */
 
 static int
 add_point(EdgePoints *p, SurfacePoint point)
@@ -27,8 +27,8 @@ add_point(EdgePoints *p, SurfacePoint point)
 typedef struct Stop {
 	double at;              /* 0..1 along the edge */
 	int    vertex;          /* -1: a crossing */
-	int    side;            /* of the mesh, that is crossed */
-	double place;           /* 0..1 on that side */
+	int    side;            /* the side of the mesh that is crossed; -1 at a vertex */
+	double place;           /* 0..1 along that side */
 } Stop;
 
 /* Stop k of edge e: its start for -1, then its crossings, then its end. */
@@ -45,7 +45,8 @@ stop(const Intrinsic *t, const Places *p, int e, int k)
 	return (Stop){ p->on_edge[at], -1, t->mesh_side[t->crossing[e][k]], p->on_mesh[at] };
 }
 
-/* Whether triangle f of the mesh has the stop on a side or as a corner; w: the coordinates there. */
+/* Whether the stop is a corner of triangle f of the mesh, or on a side of it.
+ * w: out, its barycentric coordinates there. */
 static int
 has_stop(const Disk *d, int f, const Stop *s, double w[3])
 {
@@ -64,8 +65,8 @@ has_stop(const Disk *d, int f, const Stop *s, double w[3])
 	return 1;
 }
 
-/* The point between two stops of an edge that follow each other, 0..1 from the first; the edge runs within a triangle of the
- * mesh there. */
+/* A point between two neighbouring stops of an edge, 0..1 from the first.  Between them the edge
+ * runs within a triangle of the mesh. */
 static SurfacePoint
 between(const Disk *d, const Stop *a, const Stop *b, double place)
 {
@@ -123,14 +124,15 @@ edgepoints_feet(const Intrinsic *t, EdgePoints *points)
 }
 
 int
-edgepoints_middles(const Intrinsic *t, const Disk *mesh, const unsigned char *marked, EdgePoints *points)
+edgepoints_middles(const Intrinsic *t, const Disk *mesh, const unsigned char *marked,
+	EdgePoints *points)
 {
 	Places places;
 	int e, error;
 
 	if (!memchr(marked, 1, t->ne))
 		return 0;
-	error = crossings_places(t, &places);
+	error = places_init(t, &places);
 	if (error)
 		return error;
 	for (e = 0; !error && e < t->ne; e++)

@@ -11,9 +11,11 @@ typedef struct EdgePoints {
 } EdgePoints;
 
 /* Adds the middles of the marked edges.  marked: [t->ne], 0 or 1.  Returns 0 or INTRINSIC_ENOMEM. */
-int edgepoints_middles(const Intrinsic *t, const Disk *mesh, const unsigned char *marked, EdgePoints *points);
+int edgepoints_middles(const Intrinsic *t, const Disk *mesh, const unsigned char *marked,
+	EdgePoints *points);
 
-/* Adds the feet of obtuse angles opposite to boundary edges.  Returns 0 or INTRINSIC_ENOMEM. */
+/* Adds the feet of obtuse angles opposite to boundary edges: mirrored there, the triangulation is not
+ * Delaunay.  Returns 0 or INTRINSIC_ENOMEM. */
 int edgepoints_feet(const Intrinsic *t, EdgePoints *points);
 
 #endif

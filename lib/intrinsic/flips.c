@@ -6,9 +6,10 @@
 #include "crossings.h"
 #include "flips.h"
 
-enum { FLIPS = 400, TIES = 10 };        /* per triangle, at most: of all, of those between equal choices */
-static const double COCIRCULAR = 1e-10; /* cotangents whose sum is this small, against them or against 1,
-                                         * count as opposite: either diagonal is Delaunay */
+enum { FLIPS = 400, TIES = 10 };        /* at most, per triangle: all flips, flips between equal
+                                         * diagonals */
+static const double COCIRCULAR = 1e-10; /* two cotangents count as opposite if their sum is this small,
+                                         * relative to them or to 1: either diagonal is Delaunay */
 static const double EQUAL = 1e-9;       /* relative difference of equal lengths, or keys */
 
 /* A side that gets another number. */
@@ -57,7 +58,8 @@ turn_outer_sides(Intrinsic *t, const int old[4], const int new[4])
 static int
 flip(Intrinsic *t, int h)
 {
-	int g = t->twin[h], h1 = intrinsic_next(h), h2 = intrinsic_last(h), g1 = intrinsic_next(g), g2 = intrinsic_last(g);
+	int g = t->twin[h], h1 = intrinsic_next(h), h2 = intrinsic_last(h);
+	int g1 = intrinsic_next(g), g2 = intrinsic_last(g);
 	int i = t->from[h], j = t->from[g], k = t->from[h2], l = t->from[g2], e = t->edge[h];
 	double yk, yl, xk = intrinsic_foot(t, h, &yk), xl = t->length[e] - intrinsic_foot(t, g, &yl);
 
@@ -71,10 +73,10 @@ flip(Intrinsic *t, int h)
 	return 0;
 }
 
-/* Of the diagonals of four vertices on a circle: whether the one from i to j with length d comes after the one from k to l with
- * length c. */
+/* Whether the diagonal from k to l, of length c, is preferred to the one from i to j, of length d.
+ * The four vertices are on a circle. */
 static int
-comes_after(const double *key, int i, int j, double d, int k, int l, double c)
+is_worse(const double *key, int i, int j, double d, int k, int l, double c)
 {
 	if (fabs(d - c) > EQUAL*d)
 		return d > c;
@@ -83,7 +85,8 @@ comes_after(const double *key, int i, int j, double d, int k, int l, double c)
 
 enum { KEEP, FLIP, FLIP_EQUAL };
 
-/* Whether flipping the edge of side h makes the triangulation more Delaunay, or is as good and preferred. */
+/* FLIP if the edge of side h is not Delaunay; FLIP_EQUAL if either diagonal is and the other is
+ * preferred. */
 static int
 choose(const Intrinsic *t, const double *key, int h)
 {
@@ -100,7 +103,7 @@ choose(const Intrinsic *t, const double *key, int h)
 	if (sum < -COCIRCULAR*size)
 		return FLIP;
 	xk = intrinsic_foot(t, h, &yk), xl = t->length[e] - intrinsic_foot(t, g, &yl);
-	return comes_after(key, t->from[h], t->from[g], t->length[e], t->from[intrinsic_last(h)],
+	return is_worse(key, t->from[h], t->from[g], t->length[e], t->from[intrinsic_last(h)],
 	    t->from[intrinsic_last(g)], hypot(xk - xl, yk + yl)) ? FLIP_EQUAL : KEEP;
 }
 
@@ -145,7 +148,7 @@ flip_all(Intrinsic *t, const double *key, Stack *s)
 	return 0;
 }
 
-/* The same for the edges that are not fixed, [ne]; NULL: no edge is. */
+/* intrinsic_delaunay by flips of the edges that are not fixed.  fixed: [ne], or NULL: none is. */
 static int
 delaunay(Intrinsic *t, const double *key, const unsigned char *fixed)
 {

@@ -4,18 +4,19 @@
 
 #include "intrinsic.h"
 
-/* Flips the edges of s that lie within faces of its given disk until they are Delaunay there: the surface
- * stays the same, and fewer edges of s cross those of its intrinsic Delaunay triangulation.
- * Returns 0 or INTRINSIC_ENOMEM. */
+/* Flips the edges of s within faces of its given disk until they are Delaunay there.  The surface
+ * stays the same, and fewer edges of s cross those of its intrinsic Delaunay triangulation.  Returns
+ * 0 or INTRINSIC_ENOMEM. */
 int  intrinsic_improve(Subdivision *s, const double *key);
 
 /* Flips edges until the triangulation is Delaunay: the two angles opposite to an inner edge sum to
- * at most pi.  Of four vertices on a circle either diagonal is Delaunay: the shorter one is taken, or
- * of equally long ones that whose ends have the smaller sum of keys, so that the numbering decides nothing.
+ * at most pi.  Of four vertices on a circle either diagonal is Delaunay.  Then the shorter one is
+ * taken, or of two equally long ones the one whose ends have the smaller sum of keys: so the result
+ * does not depend on the numbering.
  *
  * key  in  [nv] or NULL
  *
- * Ends after 400 flips a triangle if rounding should prevent it. Returns 0 or INTRINSIC_ENOMEM. */
+ * Ends after 400 flips per triangle, should rounding prevent an end.  Returns 0 or INTRINSIC_ENOMEM. */
 int  intrinsic_delaunay(Intrinsic *t, const double *key);
 
 #endif

@@ -6,7 +6,8 @@
 #include "../base/vec3.h"
 #include "intrinsic.h"
 
-static const double THIN = 1e-7;        /* least excess of two sides over the third, of the shortest of them */
+static const double THIN = 1e-7;        /* least excess of two sides over the third, in units of the
+                                         * shortest */
 enum { PASSES = 100 };                  /* of mollification, at most */
 static const double STEEPEST = 1e15;    /* largest cotangent */
 

@@ -22,8 +22,8 @@ typedef struct Intrinsic {
 	int    *mesh_side;      /* [ne] of each edge of the mesh: its side in the disk */
 	int    *mesh_from;      /* [ne] the vertex at which that side starts */
 	int    *along;          /* [ne] the edge of the mesh that this edge is, or -1 */
-	int   **crossing;       /* [ne] the edges of the mesh that cross this one, from its start;
-	                         * crossing itself is NULL within intrinsic_improve */
+	int   **crossing;       /* [ne] the edges of the mesh that cross this one, from its start; or
+	                         * NULL, if crossings are not recorded */
 	int    *crossings;      /* [ne] their number */
 } Intrinsic;
 
@@ -33,9 +33,9 @@ typedef struct Intrinsic {
 int  intrinsic_init(Intrinsic *t, const Disk *d);
 void intrinsic_free(Intrinsic *t);
 
-/* Makes the shortest edges of triangles that are flat to rounding a little longer, until two sides exceed the third
- * by 1e-7 of the shortest: such triangles would have no usable angles.  Not after a flip.
- * Returns 0 or INTRINSIC_ENOMEM. */
+/* Makes the shortest edges of triangles that are flat to rounding a little longer, until two sides
+ * exceed the third by 1e-7 of the shortest: flat triangles have no usable angles.  To be called
+ * before any flip.  Returns 0 or INTRINSIC_ENOMEM. */
 int  intrinsic_mollify(Intrinsic *t);
 
 static inline int

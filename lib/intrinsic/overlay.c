@@ -5,6 +5,7 @@
 #include "../mesh/topology.h"
 #include "crossings.h"
 #include "overlay.h"
+#include "places.h"
 
 enum { CORNERS = 6 };   /* of a polygon, at most: two on each side of its triangle */
 
@@ -60,8 +61,8 @@ add_round_corner(Overlaid *o, int h, int pieces)
 	}
 }
 
-/* What is left of the corner at which side h starts: the corner, or the ends of the outermost piece round
- * it, in the order of the boundary.  Returns their number. */
+/* The corners of the middle polygon near the corner at which side h starts: that corner, or if
+ * pieces go round it the two ends of the outermost one, counterclockwise.  Returns their number. */
 static int
 remaining_corner(const Overlaid *o, int h, int pieces, int corner[2])
 {
@@ -87,7 +88,8 @@ add_middle(Overlaid *o, int f, const Pieces *pieces)
 	add_polygon(o, n, corner);
 }
 
-/* The middle of a triangle with mesh edges from the corner at which side h starts to the opposite side. */
+/* The middle of a triangle in which mesh edges go from the corner where side h starts to the opposite
+ * side. */
 static void
 add_fan(Overlaid *o, int h, const Pieces *pieces)
 {
@@ -156,7 +158,8 @@ add_crossings(const Overlaid *o, Subdivision *s)
 	size_t n = o->places->first[t->ne], k, i;
 	int *mesh_to = malloc(t->ne*sizeof *mesh_to), e;
 	size_t added = t->nv - s->given + n;
-	void *corner = realloc(s->corner, (added + 1)*sizeof *s->corner), *w = realloc(s->w, (added + 1)*sizeof *s->w);
+	void *corner = realloc(s->corner, (added + 1)*sizeof *s->corner);
+	void *w = realloc(s->w, (added + 1)*sizeof *s->w);
 
 	s->corner = corner ? corner : s->corner;
 	s->w = w ? w : s->w;
@@ -216,11 +219,12 @@ overlay(const Intrinsic *t, Subdivision *s, double **u, double **v)
 {
 	Places places;
 	Overlaid o = { t, &places, NULL, 0 };
-	int e = crossings_places(t, &places);
+	int e = places_init(t, &places);
 
 	if (e)
 		return e;
-	e = resize(u, t->nv + places.first[t->ne]) || resize(v, t->nv + places.first[t->ne]) || add_crossings(&o, s)
+	e = resize(u, t->nv + places.first[t->ne]) || resize(v, t->nv + places.first[t->ne])
+	    || add_crossings(&o, s)
 	    || replace_triangles(&o, s);
 	if (!e) {
 		extend_map(&o, *u);

@@ -11,12 +11,14 @@
 #include "../base/vec3.h"
 
 enum { GRADED = 3 };                    /* splits of the faces at the corners before any solve */
-enum { GROWTH = 4, FEW = 20000 };       /* splitting that has not reached the tolerance at FEW vertices, nor at
-                                         * GROWTH times the given ones, is held up by the shape of the triangles */
+enum { GROWTH = 4, FEW = 20000 };       /* if the tolerance is not reached with FEW vertices, nor
+                                         * with GROWTH times the given ones, the shape of the
+                                         * triangles is the reason */
 static const double SHARE = 0.7;        /* of the certificate that the faces to split hold together */
 
 /* The term of triangle t in the sum for T certificate (adapt.h).  With a, b its sides at
- * corner 0, g their Gram matrix and A its area, grad u . grad u = (u_b^2 g_aa - 2 u_a u_b g_ab + u_a^2 g_bb)/(4 A^2). */
+ * corner 0, g their Gram matrix and A its area,
+ * grad u . grad u = (u_b^2 g_aa - 2 u_a u_b g_ab + u_a^2 g_bb)/(4 A^2). */
 static double
 term(const AdaptMap *m, int t)
 {
@@ -171,9 +173,8 @@ split_all(AdaptMap *m, const AdaptOptions *o, const int vertex[4], SpdReport *re
 	return e;
 }
 
-/* Splits the faces at the corners into four.  At a corner on a
- * smooth boundary the map is singular: these faces would be the first to be split anyway, and
- * a solve is saved. */
+/* Splits the faces at the corners into four.  At a corner on a smooth boundary the map is singular:
+ * these faces would be the first to be split anyway, and a solve is saved. */
 static int
 split_corners(AdaptMap *m, const int vertex[4])
 {
@@ -221,7 +222,7 @@ split_chords(AdaptMap *m, const int vertex[4])
 	return n < 0 ? SPD_ENOMEM : 0;
 }
 
-/* Whether all triangles keep their side up, and an area. */
+/* Whether no triangle is turned over or flat in (u,v). */
 static int
 is_embedded(const AdaptMap *m)
 {

@@ -16,8 +16,8 @@ static const double ENOUGH = 2e-4;
 /* Samples a map on the grid and polishes it; the polish moves the vertices of d in the chart with it.
  * u, v: the map at the vertices of d, which come first. */
 static int
-sample_and_polish(const Sampler *s, const Disk *d, const int corner[4], const double *u, const double *v, Chart g, double enough,
-	const ConformalOptions *options, Conformal *c)
+sample_and_polish(const Sampler *s, const Disk *d, const int corner[4], const double *u, const double *v,
+	Chart g, double enough, const ConformalOptions *options, Conformal *c)
 {
 	g.T = s->l.T;
 	if (grid_init(&c->grid, g, s))
@@ -36,10 +36,11 @@ typedef struct Solved {
 	double             T, enough;
 } Solved;
 
-/* Samples the smooth surface as far as the triangles of d are not turned over, the facets of the finer mesh
- * elsewhere. */
+/* Samples the surface.  A smooth one is sampled on d, but near triangles of d that are turned over
+ * or flat on the facets of the finer mesh. */
 static int
-sample(const Disk *d, const int corner[4], const Solved *m, Chart g, const ConformalOptions *options, Conformal *c)
+sample(const Disk *d, const int corner[4], const Solved *m, Chart g, const ConformalOptions *options,
+	Conformal *c)
 {
 	int smooth = options->surface == SAMPLER_SMOOTH, e;
 	Sampler s;
@@ -53,7 +54,8 @@ sample(const Disk *d, const int corner[4], const Solved *m, Chart g, const Confo
 }
 
 static int
-sample_adapted(const Disk *d, const int corner[4], const AdaptMap *a, Chart g, const ConformalOptions *options, Conformal *c)
+sample_adapted(const Disk *d, const int corner[4], const AdaptMap *a, Chart g,
+	const ConformalOptions *options, Conformal *c)
 {
 	Solved m = { &a->mesh, a->u, a->v, a->T, a->quadratic ? 0 : ENOUGH };
 
@@ -64,7 +66,8 @@ sample_adapted(const Disk *d, const int corner[4], const AdaptMap *a, Chart g, c
 }
 
 static int
-sample_intrinsic(const Disk *d, const int corner[4], IntrinsicMap *a, Chart g, const ConformalOptions *options, Conformal *c)
+sample_intrinsic(const Disk *d, const int corner[4], IntrinsicMap *a, Chart g,
+	const ConformalOptions *options, Conformal *c)
 {
 	Solved m = { &a->s.mesh, NULL, NULL, a->T, a->quadratic ? 0 : ENOUGH };
 

@@ -24,7 +24,8 @@ typedef struct Conformal {
 } Conformal;
 
 /* Maps the disk d and samples it on g.nu x g.nv nodes (g.T is not read).  corner: indices into
- * its loop.  Returns 0, SPD_ENOMEM, SPD_EINDEFINITE or SPD_ELARGE; on an error c holds nothing to free. */
+ * its loop.  Returns 0, SPD_ENOMEM, SPD_EINDEFINITE or SPD_ELARGE; on an error c holds nothing to
+ * free. */
 int  conformal_grid(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options,
 	Conformal *c, SpdReport *report);
 void conformal_free(Conformal *c);

@@ -9,10 +9,11 @@
 #include "harmonic.h"
 
 enum { ROUNDS = 40 };                   /* of splitting between two solves */
-static const double EQUAL = 1e-6;       /* relative difference of two numbers that differ by rounding only */
+static const double EQUAL = 1e-6;       /* relative difference of two numbers that differ by
+                                         * rounding only */
 
-/* Whether a map would shrink edge e to a point or lay it on a side: a loop, or an inner edge between
- * vertices of one side of the rectangle. */
+/* Whether a map would shrink edge e to a point or put it on a side of the rectangle: a loop, or an
+ * inner edge between vertices of one side. */
 static int
 collapses(const Intrinsic *t, const unsigned char *side, int e)
 {
@@ -42,7 +43,7 @@ sort_by_lower_end(const Intrinsic *t, int *first, int *at)
 	}
 }
 
-/* Marks inner edges that have the ends of another edge: a map lays them on each other.
+/* Marks inner edges that have the same ends as another edge: in a map they coincide.
  * last: workspace, [nv], the last edge to a vertex. */
 static void
 mark_doubled(const Intrinsic *t, const int *first, const int *at, int *last, unsigned char *marked)
@@ -150,8 +151,9 @@ order_corners(const double *xyz, const int vertex[4], int order[4])
 		order[k] = vertex[(first + step*k)%4];
 }
 
-/* A number at each vertex that depends on the shape alone: distances to the corners.  The corners count a little
- * differently, so that symmetric surfaces have no equal numbers. */
+/* A number at each vertex that depends on the shape alone: the sum of its distances to the
+ * corners.  These have slightly different weights, so that on symmetric surfaces the numbers
+ * differ, too. */
 static int
 set_keys(Embeddable *s)
 {

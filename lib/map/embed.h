@@ -22,13 +22,13 @@ typedef struct Embeddable {
 int  embed_init(Embeddable *s, const Disk *d, const int vertex[4]);
 void embed_free(Embeddable *s);
 
-/* Makes the triangulation of the mesh, and splits what would collapse in a map: loops, edges with the same ends,
- * edges between vertices of one side.  Feet of obtuse angles at the boundary are added as long as there are
- * less than `most` vertices.  Returns 0 or EMBED_ENOMEM. */
+/* Makes the triangulation of the mesh, and splits edges that would collapse in a map: loops, edges
+ * with the same two ends, edges between vertices of one side.  Feet of obtuse angles at the
+ * boundary are added while there are less than `most` vertices.  Returns 0 or EMBED_ENOMEM. */
 int  embed(Embeddable *s, int most);
 
-/* Adds points to the mesh; then embed has to make a new triangulation.  Returns the number of new vertices,
- * or EMBED_ENOMEM. */
+/* Adds points to the mesh; embed must follow, for a new triangulation.  Returns the number of new
+ * vertices, or EMBED_ENOMEM. */
 int  embed_add(Embeddable *s, const EdgePoints *points);
 
 #endif

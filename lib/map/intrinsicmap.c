@@ -6,10 +6,12 @@
 #include "../intrinsic/edgepoints.h"
 #include "intrinsicmap.h"
 
-static const double SHARE = 0.7;        /* of the certificate that the triangles to split hold together */
-static const double FULL = 0.9;         /* share of the vertices allowed at which refinement ends: another
-                                         * round would add few */
-static const double EQUAL = 1e-6;       /* relative difference of two numbers that differ by rounding only */
+static const double SHARE = 0.7;        /* of the certificate that the triangles to split hold
+                                         * together */
+static const double FULL = 0.9;         /* share of the vertices allowed at which refinement ends:
+                                         * another round would add few */
+static const double EQUAL = 1e-6;       /* relative difference of two numbers that differ by
+                                         * rounding only */
 
 /* The term of triangle f in the sum for T certificate (adapt.h). */
 static double
@@ -17,12 +19,13 @@ term(const IntrinsicMap *m, int f)
 {
 	const Intrinsic *t = &m->s.t;
 	const int *c = &t->from[3*f];
-	double l0 = intrinsic_length(t, 3*f), l1 = intrinsic_length(t, 3*f + 1), l2 = intrinsic_length(t, 3*f + 2);
+	double l0 = intrinsic_length(t, 3*f), l1 = intrinsic_length(t, 3*f + 1);
+	double l2 = intrinsic_length(t, 3*f + 2), area = intrinsic_area(l0, l1, l2);
 	double ua = m->u[c[1]] - m->u[c[0]], ub = m->u[c[2]] - m->u[c[0]];
 	double va = m->v[c[1]] - m->v[c[0]], vb = m->v[c[2]] - m->v[c[0]];
 	double gaa = l0*l0, gbb = l2*l2, gab = (gaa + (l2 - l1)*(l2 + l1))/2;
 
-	return ((ub*ub + vb*vb)*gaa - 2*(ua*ub + va*vb)*gab + (ua*ua + va*va)*gbb)/(8*intrinsic_area(l0, l1, l2))
+	return ((ub*ub + vb*vb)*gaa - 2*(ua*ub + va*vb)*gab + (ua*ua + va*va)*gbb)/(8*area)
 	    - (ua*vb - ub*va)/2;
 }
 
@@ -51,7 +54,7 @@ threshold(const double *terms, int nf, int most, double *sorted)
 	return k > 0 && all > 0 ? sorted[k-1]*(1 - EQUAL) : HUGE_VAL;
 }
 
-/* Marks the longest edges of the triangles with the largest terms. */
+/* Marks the longest edge of each triangle with one of the largest terms. */
 static int
 mark_worst(const IntrinsicMap *m, int most, unsigned char *marked)
 {
@@ -66,7 +69,8 @@ mark_worst(const IntrinsicMap *m, int most, unsigned char *marked)
 	least = threshold(terms, t->nf, most, terms + t->nf);
 	memset(marked, 0, t->ne);
 	for (f = 0; f < t->nf; f++) {
-		double longest = fmax(intrinsic_length(t, 3*f), fmax(intrinsic_length(t, 3*f + 1), intrinsic_length(t, 3*f + 2)));
+		double l0 = intrinsic_length(t, 3*f), l1 = intrinsic_length(t, 3*f + 1);
+		double longest = fmax(l0, fmax(l1, intrinsic_length(t, 3*f + 2)));
 
 		for (k = 0; k < 3 && terms[f] >= least; k++)
 			if (intrinsic_length(t, 3*f + k) >= longest*(1 - EQUAL))
@@ -112,7 +116,8 @@ refine(IntrinsicMap *m, const AdaptOptions *o, SpdReport *report)
 }
 
 int
-intrinsic_map(const Disk *d, const int vertex[4], const AdaptOptions *o, IntrinsicMap *m, SpdReport *report)
+intrinsic_map(const Disk *d, const int vertex[4], const AdaptOptions *o, IntrinsicMap *m,
+	SpdReport *report)
 {
 	int e;
 

@@ -5,8 +5,8 @@
 
 #include "intrinsicmatrix.h"
 
-static const double LEAST = 1e-10;      /* weights below are set to it: rounding, or obtuse angles at the
-                                         * boundary that were left */
+static const double LEAST = 1e-10;      /* smaller weights are replaced by it: they come from
+                                         * rounding, or from obtuse angles left at the boundary */
 
 void
 intrinsic_matrix_free(IntrinsicMatrix *a)
@@ -16,7 +16,7 @@ intrinsic_matrix_free(IntrinsicMatrix *a)
 	free(a->off);
 }
 
-/* Joins entries of a row for the same neighbour; seen: workspace, [n], -1 on entry. */
+/* Adds up the entries of a row that have the same neighbour.  seen: workspace, [n], -1 on entry. */
 static void
 join_entries(IntrinsicMatrix *a, int *seen)
 {
@@ -125,8 +125,8 @@ typedef struct Entries {
 	size_t           n;
 } Entries;
 
-/* Adds w (x_p - x_q)^2 to the energy; p and q are vertices, or nv + e for the middle of edge e.  With x_p = (x_i + x_j)/2,
- * (x_p - x_q)^2 = (x_i - x_q)^2/2 + (x_j - x_q)^2/2 - (x_i - x_j)^2/4. */
+/* Adds w (x_p - x_q)^2 to the energy; p and q are vertices, or nv + e for the middle of edge e.
+ * With x_p = (x_i + x_j)/2, (x_p - x_q)^2 = (x_i - x_q)^2/2 + (x_j - x_q)^2/2 - (x_i - x_j)^2/4. */
 static void
 add_difference(Entries *a, int p, int q, double w)
 {

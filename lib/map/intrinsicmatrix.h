@@ -11,15 +11,16 @@ typedef struct IntrinsicMatrix {
 	double *off;
 } IntrinsicMatrix;
 
-/* Unknowns of quadratic elements: the values at the vertices and, after them, at the middles of the edges.
- * At the middle of a straight edge the value is the mean of its ends, and there is no unknown. */
+/* The unknowns of quadratic elements: values at the vertices and, after them, at the middles of the
+ * edges. At the middle of a straight edge the value is the mean of its ends, and there is no
+ * unknown. */
 typedef struct Middles {
 	int *unknown;           /* [ne] of each edge, or -1: straight */
 	int  n;                 /* of all unknowns */
 } Middles;
 
-/* The matrix of linear elements; a weight below 1e-10 is set to it.  Returns 0 or INTRINSIC_ENOMEM; a then
- * holds nothing to free. */
+/* The matrix of linear elements; a weight below 1e-10 is replaced by it.  Returns 0 or
+ * INTRINSIC_ENOMEM; a then holds nothing to free. */
 int  intrinsic_linear(const Intrinsic *t, IntrinsicMatrix *a);
 
 /* The matrix of quadratic elements, (4 C_fine - C_coarse)/3 as in cotangent.h.  Returns 0 or

@@ -11,7 +11,8 @@
 enum { STRAIGHTENED = 6 };              /* solves with quadratic elements, at most */
 static const double FLAT = 1e-14;       /* area, of that of the rectangle, that is 0 up to rounding */
 
-/* By the maximum principle only the two sides have the values 0 and 1; rounding may give them to others. */
+/* By the maximum principle only the two sides have the values 0 and 1.  Rounding may give them to other
+ * vertices: these are moved inside. */
 static void
 keep_inside(int n, const unsigned char *side, int held, double *x)
 {
@@ -23,13 +24,15 @@ keep_inside(int n, const unsigned char *side, int held, double *x)
 }
 
 static int
-harmonic_pair(const IntrinsicMatrix *a, const unsigned char *side, double *u, double *v, SpdReport *report)
+harmonic_pair(const IntrinsicMatrix *a, const unsigned char *side, double *u, double *v,
+	SpdReport *report)
 {
 	Harmonic h = { .g = &a->g, .off = a->off, .side = side };
 	int *order = malloc(a->g.n*sizeof *order), e;
 
 	h.diagonal = malloc(a->g.n*sizeof *h.diagonal);
-	e = !order || !h.diagonal || order_graph(&a->g, order) || chol_init(&h.chol, &a->g, order) ? SPD_ENOMEM : 0;
+	e = !order || !h.diagonal || order_graph(&a->g, order) || chol_init(&h.chol, &a->g, order)
+	    ? SPD_ENOMEM : 0;
 	report->bytes = chol_bytes(&h.chol);
 	if (!e) {
 		harmonic_diagonal(&h);
@@ -123,7 +126,8 @@ intrinsic_solve(IntrinsicMap *m, SpdReport *report)
 	return e;
 }
 
-/* Makes the edges of turned and flat triangles straight, and those of triangles with a straight edge. */
+/* Makes the edges of turned and flat triangles straight, and those of triangles that have a
+ * straight edge already: one more ring. */
 static void
 straighten(const IntrinsicMap *m, unsigned char *straight, unsigned char *before)
 {
@@ -139,8 +143,9 @@ straighten(const IntrinsicMap *m, unsigned char *straight, unsigned char *before
 	}
 }
 
-/* Quadratic elements with more and more straight edges round the triangles that they turn over: some of their weights are negative,
- * where all edges are straight none is. */
+/* Solves with quadratic elements.  Some of their weights are negative, so they may turn triangles
+ * over; where all edges are straight no weight is.  So edges round turned triangles are made
+ * straight, ring by ring. */
 static int
 solve_straightened(IntrinsicMap *q, unsigned char *straight, Middles *m, SpdReport *report)
 {

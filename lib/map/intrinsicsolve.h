@@ -16,8 +16,8 @@ typedef struct IntrinsicMap {
 /* The map by linear elements.  Returns 0, or SPD_ENOMEM, SPD_EINDEFINITE, SPD_ELARGE. */
 int intrinsic_solve(IntrinsicMap *m, SpdReport *report);
 
-/* Solves again with quadratic elements; the map is replaced if they lower the certificate and turn no triangle
- * over.  Returns 0 or SPD_ENOMEM. */
+/* Solves again with quadratic elements.  The map is replaced if they lower the certificate and turn no
+ * triangle over.  Returns 0 or SPD_ENOMEM. */
 int intrinsic_solve_quadratic(IntrinsicMap *m, SpdReport *report);
 
 #endif

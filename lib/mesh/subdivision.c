@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include "refine.h"
+#include "sortpoints.h"
+#include "splitting.h"
 #include "subdivision.h"
 #include "topology.h"
 
@@ -70,121 +72,6 @@ subdivision_on_side(int side, double place)
 	return p;
 }
 
-/* A point on an edge: `place` 0..1 from the start of the side. */
-typedef struct EdgePoint {
-	int    side;
-	double place;
-} EdgePoint;
-
-/* The splitting of a disk.  A piece of an edge that still has points is known by a side of it. */
-typedef struct Splitting {
-	Disk *d;
-	unsigned char *inner;   /* of the subdivision */
-	int  *line;             /* [3*nf] a point's number on each side that a splitting may move, or -1 */
-	int  *side;             /* [points] where the rest of the point's edge is now */
-	int  *after;            /* [nv] the next vertex of the boundary, or -1 */
-} Splitting;
-
-/* Moves what is known of one side to another. */
-static void
-move_side(const Splitting *s, int from, int to)
-{
-	Disk *d = s->d;
-
-	d->twin[to] = d->twin[from];
-	if (d->twin[to] >= 0)
-		d->twin[d->twin[to]] = to;
-	if (s->inner)
-		s->inner[to] = s->inner[from];
-	s->line[to] = s->line[from];
-	s->line[from] = -1;
-	if (s->line[to] >= 0)
-		s->side[s->line[to]] = to;
-}
-
-/* Splits the triangle of side h at vertex m on that side into (a,m,c), which keeps its number, and
- * (m,b,c), which becomes triangle f. */
-static void
-split_triangle(const Splitting *s, int h, int m, int f)
-{
-	Disk *d = s->d;
-	int next = topology_next(h), last = topology_next(next), *t = &d->m.tri[3*(size_t)f];
-
-	t[0] = m;
-	t[1] = d->m.tri[next];
-	t[2] = d->m.tri[last];
-	d->m.tri[next] = m;
-	s->line[3*f] = s->line[3*f+2] = -1;
-	move_side(s, next, 3*f + 1);
-	if (s->inner) {
-		s->inner[3*f] = s->inner[h];
-		s->inner[next] = s->inner[3*f+2] = 1;
-	}
-	d->twin[next] = 3*f + 2;
-	d->twin[3*f+2] = next;
-}
-
-/* Splits the edge of side h at vertex m.  Returns the side of its second half. */
-static int
-split_edge(const Splitting *s, int h, int m)
-{
-	Disk *d = s->d;
-	int g = d->twin[h], f = d->m.nf++, a = d->m.tri[h];
-
-	split_triangle(s, h, m, f);
-	if (g < 0) {
-		d->twin[3*f] = -1;
-		s->after[m] = s->after[a];
-		s->after[a] = m;
-		d->nb++;
-		return 3*f;
-	}
-	split_triangle(s, g, m, d->m.nf++);
-	d->twin[3*f] = g;
-	d->twin[g] = 3*f;
-	d->twin[h] = 3*(f + 1);
-	d->twin[3*(f+1)] = h;
-	return 3*f;
-}
-
-/* The point as seen from the side of lower number. */
-static EdgePoint
-seen_from_lower(const Disk *d, EdgePoint p)
-{
-	int twin = d->twin[p.side];
-
-	return twin < 0 || p.side < twin ? p : (EdgePoint){ twin, 1 - p.place };
-}
-
-static int
-along_edges(const void *a, const void *b)
-{
-	const EdgePoint *p = a, *q = b;
-
-	if (p->side != q->side)
-		return p->side < q->side ? -1 : 1;
-	return p->place < q->place ? -1 : p->place > q->place;
-}
-
-/* Sorts the points and drops those that are not apart.  Returns the number of those left. */
-static int
-sort_edge_points(const Disk *d, int n, EdgePoint *point)
-{
-	int i, k = 0;
-
-	for (i = 0; i < n; i++)
-		point[i] = seen_from_lower(d, point[i]);
-	qsort(point, n, sizeof *point, along_edges);
-	for (i = 0; i < n; i++) {
-		if (!(point[i].place > 0 && point[i].place < 1))
-			continue;
-		if (k > 0 && point[k-1].side == point[i].side && point[i].place - point[k-1].place < 1e-9)
-			continue;
-		point[k++] = point[i];
-	}
-	return k;
-}
-
 static int
 grow(void *array, size_t n, size_t size)
 {
@@ -227,31 +114,6 @@ add_vertex(Subdivision *s, const int c[3], const double w[3])
 	return v;
 }
 
-/* Splits triangle f at vertex m within it into (a,b,m), which keeps its number, (b,c,m) and (c,a,m). */
-static void
-split_face(const Splitting *s, int f, int m)
-{
-	Disk *d = s->d;
-	int g[3] = { f, d->m.nf, d->m.nf + 1 }, c[3], k;
-
-	memcpy(c, &d->m.tri[3*(size_t)f], sizeof c);
-	d->m.nf += 2;
-	move_side(s, 3*f + 1, 3*g[1]);
-	move_side(s, 3*f + 2, 3*g[2]);
-	for (k = 0; k < 3; k++) {
-		int side = 3*g[k], *t = &d->m.tri[side];
-
-		t[0] = c[k];
-		t[1] = c[(k+1)%3];
-		t[2] = m;
-		d->twin[side+1] = 3*g[(k+1)%3] + 2;
-		d->twin[side+2] = 3*g[(k+2)%3] + 1;
-		s->line[side+1] = s->line[side+2] = -1;
-		if (s->inner)
-			s->inner[side+1] = s->inner[side+2] = 1;
-	}
-}
-
 /* Twice the area of the triangle of three points, each with barycentric coordinates in the same
  * triangle, of which the area is 1/2. */
 static double
@@ -272,7 +134,8 @@ coordinates(const Subdivision *s, const int c[3], int v, double w[3])
 		memcpy(w, s->w[v - s->given], sizeof s->w[0]);
 }
 
-/* The least of the areas of the triangles that w makes with two corners of part t of triangle c: above 0 inside. */
+/* The least of the three areas that the point w makes with the sides of t, a part of triangle c;
+ * above 0 if the point is inside. */
 static double
 depth(const Subdivision *s, const int c[3], int t, const double w[3])
 {
@@ -284,7 +147,8 @@ depth(const Subdivision *s, const int c[3], int t, const double w[3])
 	return fmin(area(x[0], x[1], w), fmin(area(x[1], x[2], w), area(x[2], x[0], w)));
 }
 
-/* Adds n points within one triangle.  Its parts are itself and the triangles from number `first` on. */
+/* Adds n points within one triangle, each to the part in which it lies deepest.  The parts are the
+ * triangle itself and the new triangles, from number `first` on. */
 static void
 add_within(Subdivision *s, const Splitting *p, int n, const SurfacePoint *point)
 {
@@ -302,7 +166,7 @@ add_within(Subdivision *s, const Splitting *p, int n, const SurfacePoint *point)
 			}
 		}
 		if (deepest > 0)
-			split_face(p, in, add_vertex(s, c, point[i].w));
+			splitting_face(p, in, add_vertex(s, c, point[i].w));
 	}
 }
 
@@ -337,7 +201,7 @@ split_edges(Subdivision *s, Splitting *p, int n, const EdgePoint *point)
 			end[1] = s->d.m.tri[topology_next(h)];
 		}
 		p->line[h] = -1;
-		h = split_edge(p, h, add_vertex(s, end, (double[]){ 1 - point[i].place, point[i].place, 0 }));
+		h = splitting_edge(p, h, add_vertex(s, end, (double[]){ 1 - point[i].place, point[i].place, 0 }));
 		if (i + 1 < n && !begins_edge(point, i + 1)) {
 			p->side[i+1] = h;
 			p->line[h] = i + 1;
@@ -355,57 +219,6 @@ split_faces(Subdivision *s, const Splitting *p, int n, const SurfacePoint *point
 			;
 		add_within(s, p, k - i, &point[i]);
 	}
-}
-
-/* Points within triangles and points on edges. */
-typedef struct Sorted {
-	SurfacePoint *within;
-	EdgePoint    *on;
-	int           nwithin, non;
-} Sorted;
-
-static int
-by_triangle(const void *a, const void *b)
-{
-	const SurfacePoint *p = a, *q = b;
-	int k;
-
-	if (p->triangle != q->triangle)
-		return p->triangle < q->triangle ? -1 : 1;
-	for (k = 0; k < 3; k++)
-		if (p->w[k] != q->w[k])
-			return p->w[k] < q->w[k] ? -1 : 1;
-	return 0;
-}
-
-static int
-sort_points(const Disk *d, int n, const SurfacePoint *point, Sorted *s)
-{
-	int i, k;
-
-	*s = (Sorted){ malloc(n*sizeof *s->within + 1), malloc(n*sizeof *s->on + 1), 0, 0 };
-	if (!s->within || !s->on)
-		return MESH_ENOMEM;
-	for (i = 0; i < n; i++) {
-		for (k = 0; k < 3 && point[i].w[(k+2)%3] != 0; k++)
-			;
-		if (k == 3)
-			s->within[s->nwithin++] = point[i];
-		else
-			s->on[s->non++] = (EdgePoint){ 3*point[i].triangle + k, point[i].w[(k+1)%3] };
-	}
-	qsort(s->within, s->nwithin, sizeof *s->within, by_triangle);
-	s->non = sort_edge_points(d, s->non, s->on);
-	return 0;
-}
-
-static void
-write_loop(Disk *d, const int *after)
-{
-	int i;
-
-	for (i = 1; i < d->nb; i++)
-		d->loop[i] = after[d->loop[i-1]];
 }
 
 static int
@@ -428,7 +241,7 @@ add_sorted(Subdivision *s, const Sorted *points)
 		mark_edges(&p, points->non, points->on);
 		split_faces(s, &p, points->nwithin, points->within);
 		split_edges(s, &p, points->non, points->on);
-		write_loop(&s->d, p.after);
+		splitting_write_loop(&p);
 		e = s->d.m.nv - before;
 	}
 	free(p.line);

@@ -25,12 +25,14 @@ typedef struct Subdivision {
 int  subdivision_init(Subdivision *s, const Disk *d);
 void subdivision_free(Subdivision *s);
 
-/* The point at `place`, 0..1 from the start of side 3*t + k of triangle t, which runs from corner k to the next. */
+/* The point at `place`, 0..1 from the start of a side.  Side 3*t + k of triangle t runs from corner
+ * k to the next. */
 SurfacePoint subdivision_on_side(int side, double place);
 
-/* Adds the points to s as vertices.  A triangle is split into three at a point within, the two
- * triangles at an edge are split at a point on it, one point after the other: they can become as thin as one likes.
- * Points of a side that are equal, and those at a vertex, are dropped.
+/* Adds the points to s as vertices, one after the other.  At a point within a triangle, the
+ * triangle is split into three; at a point on an edge, its two triangles are split into two.  The
+ * new triangles can be as thin as one likes.  Equal points of a side, and points at a vertex, are
+ * dropped.
  *
  * n, point  in   of s->d
  *
