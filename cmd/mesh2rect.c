@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../lib/map/conformal.h"
+#include "../lib/map/intrinsicmap.h"
 #include "../lib/mesh/disk.h"
 #include "shared/claim.h"
 #include "shared/cmd.h"
@@ -96,18 +97,24 @@ opt_cells(char *s, Chart *g)
 	free(first);
 }
 
-/* Dies if memory is too small.  Measured: 1000 bytes for each vertex of the map, and 46 numbers for
- * each node if the grid is polished. */
+/* Bytes of memory, above all measured numbers: for each vertex of the map; of these, what is kept while the grid is
+ * made; for each crossing of the overlay; for each node, and if the grid is polished. */
+enum { PER_VERTEX = 1500, KEPT = 500, PER_CROSSING = 250, PER_NODE = 8*6, PER_POLISHED = 8*46 };
+
+/* Dies if memory is too small for the mesh and the grid, and notes if it may be too small for what refinement adds,
+ * which is not known before. */
 static void
 claim_map(const char *name, const Disk *d, Chart g, const ConformalOptions *o)
 {
-	double vertices = d->m.nv;
+	double vertices = d->m.nv, nodes = (double)g.nu*g.nv;
 	int i;
 
 	for (i = 0; i < o->map.split && 4*vertices <= o->map.most; i++)
 		vertices *= 4;
-	claim(name, "the map", vertices, 1000);
-	claim(name, "the grid", (double)g.nu*g.nv, 8*(o->polish ? 46 : 6));
+	claim(name, "the map", vertices, PER_VERTEX);
+	claim(name, "the grid", 1, KEPT*vertices + nodes*(o->polish ? PER_POLISHED : PER_NODE));
+	if (o->map.tolerance < 1 && o->map.most > vertices)
+		claim_possible(name, "the map", o->map.most, PER_VERTEX + INTRINSICMAP_CROSSINGS*PER_CROSSING);
 }
 
 /* Chooses the corners; returns the distance of the boundary from that of --like, or -1. */

@@ -24,6 +24,13 @@ claim(const char *where, const char *what, double n, double bytes)
 		die("%s: no memory: %s needs about %.0f bytes, there are %.0f", where, what, n*bytes, memory_bytes());
 }
 
+void
+claim_possible(const char *where, const char *what, double n, double bytes)
+{
+	if (n*bytes > memory_bytes())
+		note("%s: %s may need up to %.0f bytes, there are %.0f", where, what, n*bytes, memory_bytes());
+}
+
 size_t
 claim_input(void)
 {

@@ -8,6 +8,9 @@
  * process may use.  what: the computation, where: its input, both for the message. */
 void claim(const char *where, const char *what, double n, double bytes);
 
+/* Notes that n*bytes, the most that a computation may need, are more than that. */
+void claim_possible(const char *where, const char *what, double n, double bytes);
+
 /* Bytes of the largest input that is read into memory: half of the memory that the machine has
  * and the process may use, since its mesh needs as much again; and at most 4 GiB, more than any
  * mesh that can be mapped. */

@@ -97,13 +97,25 @@ split_worst(IntrinsicMap *m, int most)
 	return n < 0 ? SPD_ENOMEM : n;
 }
 
+/* Whether the vertices, or the crossings that become vertices of the overlay, are as many as allowed. */
+static int
+is_full(const Intrinsic *t, int most)
+{
+	size_t crossings = 0;
+	int e;
+
+	for (e = 0; e < t->ne; e++)
+		crossings += t->crossings[e];
+	return t->nv >= FULL*most || crossings >= INTRINSICMAP_CROSSINGS*(size_t)most;
+}
+
 /* Splits and solves until the certificate is small enough. */
 static int
 refine(IntrinsicMap *m, const AdaptOptions *o, SpdReport *report)
 {
 	int e = 0, n = 1;
 
-	while (!e && n > 0 && m->certificate > o->tolerance && m->s.t.nv < FULL*o->most) {
+	while (!e && n > 0 && m->certificate > o->tolerance && !is_full(&m->s.t, o->most)) {
 		n = split_worst(m, o->most - m->s.t.nv);
 		e = n < 0 ? SPD_ENOMEM : 0;
 		if (n > 0) {

@@ -121,7 +121,7 @@ intrinsic_middles(const Intrinsic *t, const unsigned char *straight, Middles *m)
 typedef struct Entries {
 	const Intrinsic *t;
 	const Middles   *m;
-	Entry           *entry;
+	Entry           *entry;         /* NULL: they are only counted */
 	size_t           n;
 } Entries;
 
@@ -145,29 +145,41 @@ add_difference(Entries *a, int p, int q, double w)
 	}
 	p = p < nv ? p : a->m->unknown[p-nv];
 	q = q < nv ? q : a->m->unknown[q-nv];
-	a->entry[a->n++] = (Entry){ p, q, -w };
+	if (a->entry)
+		a->entry[a->n] = (Entry){ p, q, -w };
+	a->n++;
 }
 
-enum { MOST_ENTRIES = 7 };      /* of one difference: both ends may be middles of straight edges */
+static void
+add_elements(Entries *a)
+{
+	const Intrinsic *t = a->t;
+	int e, h, end[2];
+
+	for (e = 0; e < t->ne; e++) {
+		double w = weight(t, e);
+
+		intrinsic_ends(t, e, end);
+		add_difference(a, end[0], t->nv + e, 4*w/3);
+		add_difference(a, end[1], t->nv + e, 4*w/3);
+		add_difference(a, end[0], end[1], -w/3);
+	}
+	for (h = 0; h < 3*t->nf; h++)
+		add_difference(a, t->nv + t->edge[intrinsic_next(h)], t->nv + t->edge[intrinsic_last(h)],
+		    4*intrinsic_cotangent(t, h)/3);
+}
 
 int
 intrinsic_quadratic(const Intrinsic *t, const Middles *m, IntrinsicMatrix *a)
 {
-	Entries all = { t, m, malloc(MOST_ENTRIES*3*((size_t)t->ne + t->nf)*sizeof(Entry)), 0 };
-	int e, h, error = INTRINSIC_ENOMEM, end[2];
+	Entries all = { t, m, NULL, 0 };
+	int error = INTRINSIC_ENOMEM;
 
+	add_elements(&all);
+	all.entry = malloc(all.n*sizeof *all.entry);
+	all.n = 0;
 	if (all.entry) {
-		for (e = 0; e < t->ne; e++) {
-			double w = weight(t, e);
-
-			intrinsic_ends(t, e, end);
-			add_difference(&all, end[0], t->nv + e, 4*w/3);
-			add_difference(&all, end[1], t->nv + e, 4*w/3);
-			add_difference(&all, end[0], end[1], -w/3);
-		}
-		for (h = 0; h < 3*t->nf; h++)
-			add_difference(&all, t->nv + t->edge[intrinsic_next(h)], t->nv + t->edge[intrinsic_last(h)],
-			    4*intrinsic_cotangent(t, h)/3);
+		add_elements(&all);
 		error = matrix_init(a, m->n, all.n, all.entry);
 	}
 	free(all.entry);
