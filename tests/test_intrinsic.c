@@ -202,22 +202,22 @@ orientation(const double *a, const double *b, const double *c)
 }
 
 /* A crossing of edge e of the triangulation. */
-typedef struct Crossing {
+typedef struct PlaneCrossing {
 	int    mesh;
 	double on_edge, on_mesh;
-} Crossing;
+} PlaneCrossing;
 
 static int
 along_edge(const void *a, const void *b)
 {
-	const Crossing *p = a, *q = b;
+	const PlaneCrossing *p = a, *q = b;
 
 	return p->on_edge < q->on_edge ? -1 : p->on_edge > q->on_edge;
 }
 
 /* The crossings of edge e with all edges of the mesh, in the plane.  Returns their number. */
 static int
-cross_all(const Intrinsic *t, const Disk *d, int e, Crossing *c)
+cross_all(const Intrinsic *t, const Disk *d, int e, PlaneCrossing *c)
 {
 	const double *x = d->m.xyz, *a = &x[3*start(t, e)], *b = &x[3*end(t, e)];
 	int i, n = 0;
@@ -231,7 +231,7 @@ cross_all(const Intrinsic *t, const Disk *d, int e, Crossing *c)
 		pa = orientation(&x[3*from], &x[3*to], a), pb = orientation(&x[3*from], &x[3*to], b);
 		qa = orientation(a, b, &x[3*from]), qb = orientation(a, b, &x[3*to]);
 		if ((pa > 0) != (pb > 0) && (qa > 0) != (qb > 0))
-			c[n++] = (Crossing){ i, pa/(pa - pb), qa/(qa - qb) };
+			c[n++] = (PlaneCrossing){ i, pa/(pa - pb), qa/(qa - qb) };
 	}
 	qsort(c, n, sizeof *c, along_edge);
 	return n;
@@ -242,7 +242,7 @@ static size_t
 check_plane(const Disk *d)
 {
 	double longest = 0, length, x[3];
-	Crossing *c;
+	PlaneCrossing *c;
 	Intrinsic t;
 	Places p;
 	size_t all;
