@@ -5,6 +5,7 @@
 
 #include "../lib/map/conformal.h"
 #include "../lib/map/intrinsicmap.h"
+#include "../lib/mesh/boundarysplit.h"
 #include "../lib/mesh/disk.h"
 #include "shared/claim.h"
 #include "shared/cmd.h"
@@ -117,6 +118,15 @@ claim_map(const char *name, const Disk *d, Chart g, const ConformalOptions *o)
 		claim_possible(name, "the map", o->map.most, PER_VERTEX + INTRINSICMAP_CROSSINGS*PER_CROSSING);
 }
 
+/* A boundary of three vertices has no four corners. */
+static void
+add_corner(const char *name, Disk *d)
+{
+	if (boundary_split(d))
+		die("no memory");
+	note("%s: the boundary has three vertices: the middle of its longest edge is added", name);
+}
+
 /* Chooses the corners; returns the distance of the boundary from that of --like, or -1. */
 static double
 choose_corners(const char *corners, const char *like, int reversed, Disk *d, int corner[4])
@@ -196,6 +206,8 @@ main(int argc, char *argv[])
 		soup_free(&s);
 	if (flip)
 		disk_flip(&d);
+	if (d.nb == 3)
+		add_corner(cmd_name_of(argv[optind]), &d);
 	apart = choose_corners(corners, like, reversed, &d, corner);
 
 	claim_map(cmd_name_of(argv[optind]), &d, g, &options);

@@ -150,8 +150,15 @@ setup_file() {
 	done
 	printf '1 2 3\n4 5 6 7\n8 9\n10 11 12\n' >"$tmp/corners"
 	try 1 'not four points'                             "$tmp/cap.off" mesh2rect -c "$tmp/corners"
-	printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$tmp/one.obj"
-	try 1 'a boundary of three vertices has no four corners' "$tmp/one.obj" mesh2rect -n 8
+}
+
+@test "a boundary of three vertices gets a fourth, which --uv does not write" {
+	printf 'v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n' >"$tmp/one.obj"
+	run --separate-stderr mesh2rect -n 8 --uv="$tmp/uv.obj" -o "$tmp/one.lhg" "$tmp/one.obj"
+	[ "$status" -eq 0 ]
+	[[ "$stderr" == *'the boundary has three vertices: the middle of its longest edge is added'* ]]
+	[ "$(grep -a '^meta corners' "$tmp/one.lhg")" = 'meta corners 0,1,-1,2' ]
+	[ "$(grep -c ^vt "$tmp/uv.obj")" -eq 3 ]
 }
 
 @test "vertex numbers of corners are those of the file, in options and in the metadata" {

@@ -78,8 +78,6 @@ for n in list(g.channels):
     if n.startswith("band"): del g.channels[n]
 lhg.write(sys.stdout.buffer, [g])') mesh2rect --like=- "$tmp/face.off"
 	try 1 'stdin: holds several grids'      <(cat "$tmp/a" "$tmp/a") mesh2rect --like=- "$tmp/face.off"
-	printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$tmp/one.obj"
-	try 1 'three vertices has no four corners' /dev/null mesh2rect --like="$tmp/a" "$tmp/one.obj"
 }
 
 @test "real faces get the quarter turn that a person would choose" {
