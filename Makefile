@@ -158,6 +158,7 @@ compile_commands.json:
 soak: all tests
 	LHG_CHANGES=1000000 $(BUILD)/tests/test_lhgdamage
 	SOAK=1 $(BUILD)/tests/test_memory
+	SOAK=1 $(BUILD)/tests/test_intrinsicmap
 	SOAK=1 bats $(patsubst %,tests/%.bats,kill memory output same)
 
 # The targets under libFuzzer, with what they need of the library and no more.
