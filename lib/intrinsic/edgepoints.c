@@ -104,7 +104,7 @@ middle(const Intrinsic *t, const Disk *mesh, const Places *p, int e)
 		k++;
 	a = stop(t, p, e, k - 1);
 	b = stop(t, p, e, k);
-	return between(mesh, &a, &b, (0.5 - a.at)/(b.at - a.at));
+	return between(mesh, &a, &b, b.at > a.at ? (0.5 - a.at)/(b.at - a.at) : 0.5);
 }
 
 int
@@ -116,7 +116,8 @@ edgepoints_feet(const Intrinsic *t, EdgePoints *points)
 		int h = t->side[e];
 		double height, place = intrinsic_foot(t, h, &height)/t->length[e];
 
-		if (t->twin[h] >= 0 || intrinsic_cotangent(t, h) > -1e-6 || !(place > 0.01 && place < 0.99))
+		if (t->twin[h] >= 0 || t->length[e] <= INTRINSIC_SHORTEST
+		    || intrinsic_cotangent(t, h) > -1e-6 || !(place > 0.01 && place < 0.99))
 			continue;
 		error = add_point(points, subdivision_on_side(t->mesh_side[t->along[e]], place));
 	}
@@ -136,7 +137,7 @@ edgepoints_middles(const Intrinsic *t, const Disk *mesh, const unsigned char *ma
 	if (error)
 		return error;
 	for (e = 0; !error && e < t->ne; e++)
-		if (marked[e])
+		if (marked[e] && t->length[e] > INTRINSIC_SHORTEST)
 			error = add_point(points, middle(t, mesh, &places, e));
 	places_free(&places);
 	return error;

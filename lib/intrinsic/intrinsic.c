@@ -9,7 +9,7 @@
 static const double THIN = 1e-7;        /* least excess of two sides over the third, in units of the
                                          * shortest */
 enum { PASSES = 100 };                  /* of mollification, at most */
-static const double STEEPEST = 1e15;    /* largest cotangent */
+static const double STEEPEST = 1e10;    /* largest cotangent: beyond, the weights beside it would be lost to rounding */
 
 static int
 allocate(Intrinsic *t)
@@ -64,7 +64,7 @@ measure(Intrinsic *t, const Mesh *m)
 		longest = fmax(longest, t->length[e]);
 	}
 	for (e = 0; e < t->ne; e++)
-		t->length[e] /= longest;
+		t->length[e] = fmax(t->length[e]/longest, INTRINSIC_FINEST);
 }
 
 int

@@ -10,6 +10,11 @@
 
 enum { INTRINSIC_ENOMEM = -1 };
 
+/* In units of the longest edge: no edge is taken to be shorter than FINEST, whose ends then count as that far apart, for
+ * below it the rounding of coordinates decides the shape; and edges no longer than SHORTEST are not split. */
+#define INTRINSIC_FINEST   1e-10
+#define INTRINSIC_SHORTEST 1e-9
+
 /* Side 3*t + k of triangle t runs from its corner k to the next.  An edge has the direction of its
  * side. */
 typedef struct Intrinsic {
@@ -70,7 +75,7 @@ double intrinsic_area(double a, double b, double c);
 /* The cotangent of the angle opposite to a side as a quotient; below is 0 in a flat triangle. */
 void intrinsic_cotangent_parts(const Intrinsic *t, int side, double *above, double *below);
 
-/* The cotangent of the angle opposite to a side; at most 1e15 in modulus. */
+/* The cotangent of the angle opposite to a side; at most 1e10 in modulus. */
 double intrinsic_cotangent(const Intrinsic *t, int side);
 
 /* The foot of the corner opposite to a side: its distance from the start of the side, which is

@@ -186,31 +186,60 @@ add_crossings(const Overlaid *o, Subdivision *s)
 	return 0;
 }
 
+/* Fills twin: sides of opposite direction between the same vertices.  Where edges too short to be split are doubled, more than
+ * two triangles may share their vertices: any two of these become neighbours.
+ * first: workspace, [nv+2]; at: [3*nf]. */
+static void
+match_sides(int nv, int nf, const int *tri, int *first, int *at, int *twin)
+{
+	int s, k, i;
+
+	memset(first, 0, (nv + (size_t)2)*sizeof *first);
+	for (s = 0; s < 3*nf; s++)
+		first[tri[s]+2]++;
+	for (i = 0; i < nv; i++)
+		first[i+2] += first[i+1];
+	for (s = 0; s < 3*nf; s++) {
+		twin[s] = -1;
+		at[first[tri[s]+1]++] = s;
+	}
+	for (s = 0; s < 3*nf; s++) {
+		int from = tri[s], to = tri[topology_next(s)];
+
+		for (k = first[to]; k < first[to+1] && twin[s] < 0; k++)
+			if (tri[topology_next(at[k])] == from && twin[at[k]] < 0 && at[k] != s) {
+				twin[s] = at[k];
+				twin[at[k]] = s;
+			}
+	}
+}
+
 /* The triangles and their twins in place of those of the mesh. */
 static int
 replace_triangles(Overlaid *o, Subdivision *s)
 {
 	size_t most = o->t->nf + 2*o->places->first[o->t->ne];
-	Topology top = { .nv = s->d.m.nv };
-	char err[MESH_ERRLEN];
-	int f, e;
+	int f, *twin = malloc(3*most*sizeof *twin), *at = malloc(3*most*sizeof *at);
+	int *first = malloc((s->d.m.nv + (size_t)2)*sizeof *first);
 
 	o->tri = malloc(3*most*sizeof *o->tri);
-	if (!o->tri)
-		return INTRINSIC_ENOMEM;
-	for (f = 0; f < o->t->nf; f++)
-		cut_triangle(o, f);
-	top.nf = o->nf, top.tri = o->tri, top.err = err;
-	e = topology_twins(&top);
-	if (e) {
+	if (!o->tri || !twin || !at || !first) {
 		free(o->tri);
+		free(twin);
+		free(at);
+		free(first);
 		return INTRINSIC_ENOMEM;
 	}
+	for (f = 0; f < o->t->nf; f++)
+		cut_triangle(o, f);
+	match_sides(s->d.m.nv, o->nf, o->tri, first, at, twin);
+	free(at);
+	free(first);
 	free(s->d.m.tri);
 	free(s->d.twin);
 	s->d.m.tri = o->tri;
 	s->d.m.nf = o->nf;
-	s->d.twin = top.twin;
+	s->d.twin = twin;
 	return 0;
 }
 

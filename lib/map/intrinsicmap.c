@@ -72,7 +72,7 @@ mark_worst(const IntrinsicMap *m, int most, unsigned char *marked)
 		double l0 = intrinsic_length(t, 3*f), l1 = intrinsic_length(t, 3*f + 1);
 		double longest = fmax(l0, fmax(l1, intrinsic_length(t, 3*f + 2)));
 
-		for (k = 0; k < 3 && terms[f] >= least; k++)
+		for (k = 0; k < 3 && terms[f] >= least && longest > INTRINSIC_SHORTEST; k++)
 			if (intrinsic_length(t, 3*f + k) >= longest*(1 - EQUAL))
 				marked[t->edge[3*f+k]] = 1;
 	}
