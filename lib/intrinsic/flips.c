@@ -6,8 +6,8 @@
 #include "crossings.h"
 #include "flips.h"
 
-enum { FLIPS = 400, TIES = 10 };        /* at most, per triangle: all flips, flips between equal
-                                         * diagonals */
+enum { FLIPS = 20, SOME = 200000 };     /* flips at most: FLIPS per triangle and SOME */
+enum { TIES = 1 };                      /* flips per triangle, at most, between equal choices */
 static const double COCIRCULAR = 1e-10; /* two cotangents count as opposite if their sum is this small,
                                          * relative to them or to 1: either diagonal is Delaunay */
 static const double EQUAL = 1e-9;       /* relative difference of equal lengths, or keys */
@@ -129,7 +129,7 @@ flip_all(Intrinsic *t, const double *key, Stack *s)
 	size_t flips = 0, ties = 0;
 	int h, g, choice;
 
-	while (s->n > 0 && flips < FLIPS*(size_t)t->nf) {
+	while (s->n > 0 && flips < FLIPS*(size_t)t->nf + SOME) {
 		int e = s->edge[--s->n];
 
 		s->on[e] = 0;

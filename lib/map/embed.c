@@ -8,7 +8,7 @@
 #include "embed.h"
 #include "harmonic.h"
 
-enum { ROUNDS = 40 };                   /* of splitting between two solves */
+enum { ROUNDS = 12, FEET = 4 };         /* of splitting at most: all, those with feet of obtuse angles */
 static const double EQUAL = 1e-6;       /* relative difference of two numbers that differ by
                                          * rounding only */
 
@@ -211,7 +211,7 @@ embed(Embeddable *s, int most)
 	int k, e = 0;
 
 	for (k = 0; !e && k < ROUNDS; k++) {
-		e = triangulate(s, k < ROUNDS/2 && s->mesh.d.m.nv < most, &points);
+		e = triangulate(s, k < FEET && s->mesh.d.m.nv < most, &points);
 		if (e || points.n == 0 || k + 1 == ROUNDS)
 			break;
 		e = embed_add(s, &points);
