@@ -168,7 +168,7 @@ headline(Lhg *g, const char *p, uint32_t *prev)
 	return 0;
 }
 
-/* The rest, behind w, of all lines of h that begin with w; *text = NULL if there are none.
+/* What follows w in all lines of h that begin with w; *text = NULL if there are none.
  * Returns 0 or LHG_ENOMEM. */
 static int
 collect(const char *h, const char *w, char **text)

@@ -16,7 +16,7 @@ enum {
 	DISKS_FLAT      /* DISKS_NICE in the plane z = 0, counterclockwise */
 };
 
-/* The disk of a seed, the same everywhere.  tag: what it is.  Returns 0, or -1 if the seed has none: a triangle without
+/* A random disk, the same for equal seeds on every machine.  tag: a name for its kind.  Returns 0, or -1 if the seed has none: a triangle without
  * area, or a boundary of three vertices. */
 int disks_random(uint64_t seed, int kind, Disk *d, char tag[DISKS_TAG]);
 

@@ -10,8 +10,8 @@
 
 enum { INTRINSIC_ENOMEM = -1 };
 
-/* In units of the longest edge: no edge is taken to be shorter than FINEST, whose ends then count as that far apart, for
- * below it the rounding of coordinates decides the shape; and edges no longer than SHORTEST are not split. */
+/* In units of the longest edge.  A shorter edge than FINEST is given the length FINEST, because below
+ * it the rounding of coordinates decides the shape.  Edges no longer than SHORTEST are not split. */
 #define INTRINSIC_FINEST   1e-10
 #define INTRINSIC_SHORTEST 1e-9
 

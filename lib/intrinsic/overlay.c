@@ -186,8 +186,9 @@ add_crossings(const Overlaid *o, Subdivision *s)
 	return 0;
 }
 
-/* Fills twin: sides of opposite direction between the same vertices.  Where edges too short to be split are doubled, more than
- * two triangles may share their vertices: any two of these become neighbours.
+/* Fills twin: sides of opposite direction between the same vertices.  Where edges too short to be
+ * split are doubled, more than two triangles may share their vertices: any two of these become
+ * neighbours.
  * first: workspace, [nv+2]; at: [3*nf]. */
 static void
 match_sides(int nv, int nf, const int *tri, int *first, int *at, int *twin)

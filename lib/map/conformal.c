@@ -16,8 +16,8 @@ static const double ENOUGH = 2e-4;
 /* Samples a map on the grid and polishes it; the polish moves the vertices of d in the chart with it.
  * u, v: the map at the vertices of d, which come first. */
 static int
-sample_and_polish(const Sampler *s, const Disk *d, const int corner[4], const double *u, const double *v,
-	Chart g, double enough, const ConformalOptions *options, Conformal *c)
+sample_and_polish(const Sampler *s, const Disk *d, const int corner[4], const double *u,
+	const double *v, Chart g, double enough, const ConformalOptions *options, Conformal *c)
 {
 	g.T = s->l.T;
 	if (grid_init(&c->grid, g, s))

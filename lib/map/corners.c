@@ -4,10 +4,10 @@
 #include "corners.h"
 #include "../base/vec3.h"
 
-static const double REACH = 1.0/40;             /* length of the chords over that of the loop, first value */
-static const double SHORT = 1.5;                /* .. and its last, in mean edges */
+static const double REACH = 1.0/40;             /* first length of the chords over that of the loop */
+static const double SHORT = 1.5;                /* their last length, in mean edges */
 static const double CLEAR = 50*M_PI/180;        /* least turning angle of a corner */
-static const double NEXT = 0.6;                 /* the turn of the fifth vertex is at most this times the fourth's */
+static const double NEXT = 0.6;                 /* largest turn of the fifth vertex over that of the fourth */
 
 /* The boundary by arc length: s[i] from the start to loop vertex i, s[nb] its length. */
 static double *

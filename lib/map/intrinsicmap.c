@@ -97,7 +97,8 @@ split_worst(IntrinsicMap *m, int most)
 	return n < 0 ? SPD_ENOMEM : n;
 }
 
-/* Whether the vertices, or the crossings that become vertices of the overlay, are as many as allowed. */
+/* Whether the vertices, or the crossings that become vertices of the overlay, are as many as
+ * allowed. */
 static int
 is_full(const Intrinsic *t, int most)
 {

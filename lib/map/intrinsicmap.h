@@ -13,8 +13,9 @@
 enum { INTRINSICMAP_CROSSINGS = 4 };
 
 /* Edges are split until the triangulation can be embedded, and then where the certificate is largest,
- * until it is at most options->tolerance, options->most vertices are reached, or INTRINSICMAP_CROSSINGS times as many
- * places where edges of the mesh cross those of the triangulation: round a hub there are many more than vertices.
+ * until it is at most options->tolerance, options->most vertices are reached, or
+ * INTRINSICMAP_CROSSINGS times as many places where edges of the mesh cross those of the
+ * triangulation: round a hub there are many more of these than vertices.
  *
  * vertex: the corners, as vertex numbers.  Returns 0, or SPD_ENOMEM, SPD_EINDEFINITE,
  * SPD_ELARGE; on an error m holds nothing to free. */

@@ -34,6 +34,7 @@ void grid_free(Grid *a);
  * done     out     rounds up to the one that is kept
  *
  * Returns 0 or POLISH_ENOMEM; a is then a grid no worse than the given one. */
-int polish(const Sampler *s, Grid *a, int rounds, double enough, int n, double *pu, double *pv, int *done);
+int polish(const Sampler *s, Grid *a, int rounds, double enough, int n, double *pu, double *pv,
+	int *done);
 
 #endif

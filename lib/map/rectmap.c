@@ -69,7 +69,8 @@ prepare(const Disk *d, const Disk *coarse, const int corner[4], System *s)
 	memset(s, 0, sizeof *s);
 	s->h.diagonal = malloc(d->m.nv*sizeof *s->h.diagonal);
 	s->side = malloc(d->m.nv);
-	e = !order || !s->h.diagonal || !s->side || (coarse ? quadratic(d, coarse, &s->C) : cotangent_graph(&s->C, d))
+	e = !order || !s->h.diagonal || !s->side
+	    || (coarse ? quadratic(d, coarse, &s->C) : cotangent_graph(&s->C, d))
 	    || order_graph(&s->C.g, order);
 	if (!e)
 		e = plan(d, !coarse, s, order);
@@ -86,7 +87,8 @@ prepare(const Disk *d, const Disk *coarse, const int corner[4], System *s)
 
 /* u and v1, the map (4) before v1 is multiplied by T. */
 static int
-harmonic_pair(const Disk *d, const Disk *coarse, const int corner[4], double *u, double *v, SpdReport *report)
+harmonic_pair(const Disk *d, const Disk *coarse, const int corner[4], double *u, double *v,
+	SpdReport *report)
 {
 	System s;
 	int e = prepare(d, coarse, corner, &s);

@@ -33,7 +33,8 @@
 int rectmap(const Disk *d, const Disk *coarse, const int corner[4], double *u, double *v, double *T,
 	double *certificate, SpdReport *report);
 
-/* Number of triangles that the map turned over, those with (u,v) area < 0, and of flat ones, with area 0. */
+/* Number of triangles that the map turned over, those with (u,v) area < 0, and of flat ones, with
+ * area 0. */
 int rectmap_flipped(const Mesh *m, const double *u, const double *v);
 int rectmap_flat(const Mesh *m, const double *u, const double *v);
 

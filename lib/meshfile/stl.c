@@ -1,4 +1,4 @@
-/* stl.c - STL, ASCII and binary: triangles with corners of their own. */
+/* stl.c - STL, ASCII and binary: triangles, each with three vertices of its own. */
 #include <string.h>
 
 #include "meshpriv.h"

@@ -30,8 +30,8 @@ least(const double w[3])
 	return w[0] <= w[1] && w[0] <= w[2] ? 0 : w[1] <= w[2] ? 1 : 2;
 }
 
-/* The neighbour of t across the side opposite to corner k.  If that side is on the boundary, or k is -1: any
- * neighbour except triangle `from`, or -1 if there is none. */
+/* The neighbour of t across the side opposite to corner k.  If that side is on the boundary, or k
+ * is -1: any neighbour except triangle `from`, or -1 if there is none. */
 static int
 step(const Locator *l, int t, int k, int from)
 {

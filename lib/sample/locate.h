@@ -23,8 +23,8 @@ void locator_free(Locator *l);
 /* The triangle that contains (x,y), and its barycentric coordinates there, each in 0..1.
  * Found by a walk from the triangle of the table.  If no triangle contains the point, which can
  * happen among turned or flat triangles: the one in which it lies deepest, with negative
- * coordinates set to 0.  At a corner of the chart: the vertex there, although others may be as near to it as
- * rounding allows.  May be called from several threads. */
+ * coordinates set to 0.  At a corner of the chart: the vertex there, although
+ * others may be as near to it as rounding allows.  May be called from several threads. */
 int  locate(const Locator *l, double x, double y, double bary[3]);
 
 #endif

@@ -91,7 +91,8 @@ linear(const Mesh *m, int t, const double w[2], const double *x, int stride)
 {
 	const int *c = &m->tri[3*(size_t)t];
 
-	return (1 - w[0] - w[1])*x[(size_t)stride*c[0]] + w[0]*x[(size_t)stride*c[1]] + w[1]*x[(size_t)stride*c[2]];
+	return (1 - w[0] - w[1])*x[(size_t)stride*c[0]] + w[0]*x[(size_t)stride*c[1]]
+	    + w[1]*x[(size_t)stride*c[2]];
 }
 
 static Place
@@ -191,7 +192,8 @@ sample(const Sampler *s, const Surfaces *on, const Place *p, double phi[3])
 
 /* The first `dimensions` coordinates at n places. */
 static void
-sample_places(const Sampler *s, const Surfaces *on, int n, const Place *place, int dimensions, double *const phi[])
+sample_places(const Sampler *s, const Surfaces *on, int n, const Place *place, int dimensions,
+	double *const phi[])
 {
 	int p;
 

@@ -38,7 +38,8 @@ subtract(const Front *f, int I, int n, int J, int from, int to)
 		product_subtract(n, width(f, J), end - PRODUCT_ROWS*from, a, tile(f, J, from), c);
 }
 
-/* Replaces the diagonal tile d, n columns wide, by its Cholesky factor.  Returns as front_factor. */
+/* Replaces the diagonal tile d, n columns wide, by its Cholesky factor.  Returns what front_factor
+ * returns. */
 static int
 factor_tile(double *d, int n)
 {
