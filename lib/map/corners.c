@@ -4,8 +4,8 @@
 #include "corners.h"
 #include "../base/vec3.h"
 
-static const double REACH = 1.0/40;             /* first length of the chords over that of the loop */
-static const double SHORT = 1.5;                /* their last length, in mean edges */
+static const double REACH = 1.0/40;             /* first reach (corners.h), of the length of the loop */
+static const double SHORT = 1.5;                /* last reach, in mean edges of the loop */
 static const double CLEAR = 50*M_PI/180;        /* least turning angle of a corner */
 static const double NEXT = 0.6;                 /* largest turn of the fifth vertex over that of the fourth */
 

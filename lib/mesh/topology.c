@@ -87,7 +87,8 @@ topology_connected(const Topology *t)
 	return parts == 1 ? 0 : mesh_fail(t->err, MESH_EDISK, "%d components, a disk is one", parts);
 }
 
-/* Marks the sides that leave the vertex of side in its fan, in both directions of rotation. */
+/* Marks the sides that start at the same vertex as `side`, in the fan of triangles round it: turning
+ * first one way, then the other. */
 static void
 mark_fan(const Topology *t, int side, char *seen)
 {

@@ -56,7 +56,7 @@ say '## Figures 10 to 13: morphs' '' "Grids of $((rows + 1)) x $((rows + 1)) nod
 	"    mesh2rect -n $rows --like=A.lhg B -o B.lhg" \
 	"    lhinterp -n $frames A.lhg B.lhg | lh2grid --keyframes=7 -o MORPH.lhg; lhdiff --hausdorff-error=2e-4 A.lhg MORPH.lhg" ''
 printf '\n%s\n\n%s\n%s\n' "Seconds of lh2grid, $frames frames, $((rows + 1)) x $((rows + 1)) nodes" '| morph | lh2grid |' '|---|---|' >>"$out/times.md"
-# The mask is the face that corresponds to the man's; mkmesh has none.
+# With the shapes of mkmesh the mask takes the place of the woman's face.
 lady=mask
 [ $real = yes ] || lady=woman
 morph faces man "$lady" man figure10
