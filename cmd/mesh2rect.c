@@ -121,6 +121,8 @@ claim_map(const char *name, const Disk *d, Chart g, const ConformalOptions *o)
 static void
 add_corner(const char *name, Disk *d)
 {
+	if (d->nb > 3)
+		return;
 	if (boundary_split(d))
 		die("no memory");
 	note("%s: the boundary has three vertices: the middle of its longest edge is added", name);
@@ -163,6 +165,15 @@ add_positions(Lhg *out, const Grid *grid)
 		    (size_t)grid->g.nu*grid->g.nv*sizeof(double));
 }
 
+static void
+check_like(const char *corners, const char *like, int reversed)
+{
+	if (like && corners)
+		misuse("--corners and --like exclude each other");
+	if (!like && reversed)
+		misuse("--like-reversed needs --like");
+}
+
 int
 main(int argc, char *argv[])
 {
@@ -193,22 +204,18 @@ main(int argc, char *argv[])
 		case UV: uv = optarg; break;
 		}
 	cmd_operands(argc, argv, 0, 1);
-	if (like ? corners != NULL : reversed)
-		misuse(like ? "--corners and --like exclude each other" : "--like-reversed needs --like");
+	check_like(corners, like, reversed);
 	if (uv)
 		opt_uv(uv, argv[optind]);
 	cmd_binary_output();
-
 	load_soup(argv[optind], 0, &s);
 	load_disk(cmd_name_of(argv[optind]), &s, &d);
 	if (!uv)
 		soup_free(&s);
 	if (flip)
 		disk_flip(&d);
-	if (d.nb == 3)
-		add_corner(cmd_name_of(argv[optind]), &d);
+	add_corner(cmd_name_of(argv[optind]), &d);
 	apart = choose_corners(corners, like, reversed, &d, corner);
-
 	claim_map(cmd_name_of(argv[optind]), &d, g, &options);
 	map_disk(&d, corner, g, &options, &c);
 

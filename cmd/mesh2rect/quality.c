@@ -46,6 +46,9 @@ quality_notes(const char *mesh, const char *uv, const Disk *d, const ConformalOp
 		detail("%s: %d of %d triangles are turned over or flat if drawn with straight edges in (u,v): "
 		    "near them the facets are sampled", mesh, c->overlaid, d->m.nf);
 	note_tolerance(mesh, &o->map, c);
+	if (c->solved_turned)
+		note("%s: the map turns over %d triangles of the mesh that it was solved on: parts of the surface "
+		    "are as small as the rounding of its coordinates", mesh, c->solved_turned);
 	if (uv && c->turned)
 		note("%s: %d of %d triangles are turned over in (u,v), where edges are straight", uv, c->turned,
 		    d->m.nf);

@@ -16,7 +16,8 @@ int  intrinsic_improve(Subdivision *s, const double *key);
  *
  * key  in  [nv] or NULL
  *
- * Ends after 20 flips per triangle and 200000 more, should rounding prevent an end.  Returns 0 or INTRINSIC_ENOMEM. */
+ * Ends after 20 flips per triangle and 200000 more, should rounding prevent an end.
+ * Returns 0 or INTRINSIC_ENOMEM. */
 int  intrinsic_delaunay(Intrinsic *t, const double *key);
 
 #endif

@@ -207,6 +207,8 @@ match_sides(int nv, int nf, const int *tri, int *first, int *at, int *twin)
 	for (s = 0; s < 3*nf; s++) {
 		int from = tri[s], to = tri[topology_next(s)];
 
+		if (first[to+1] - first[to] > first[from+1] - first[from])
+			continue;       /* found from the other side, by a shorter search */
 		for (k = first[to]; k < first[to+1] && twin[s] < 0; k++)
 			if (tri[topology_next(at[k])] == from && twin[at[k]] < 0 && at[k] != s) {
 				twin[s] = at[k];

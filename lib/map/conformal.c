@@ -73,6 +73,7 @@ sample_intrinsic(const Disk *d, const int corner[4], IntrinsicMap *a, Chart g,
 
 	c->certificate = a->certificate;
 	c->vertices = a->s.t.nv;
+	c->solved_turned = a->turned;
 	c->overlaid = rectmap_flipped(&d->m, a->u, a->v) + rectmap_flat(&d->m, a->u, a->v);
 	if ((c->overlaid || options->surface == SAMPLER_FACETS) && overlay(&a->s.t, &a->s.mesh, &a->u, &a->v))
 		return SPD_ENOMEM;

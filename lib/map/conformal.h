@@ -19,6 +19,7 @@ typedef struct Conformal {
 	int     vertices;       /* of the mesh it was solved on */
 	int     overlaid;       /* triangles of the disk that the map turned over or made flat when drawn
 	                         * straight; facets are sampled near them (sampler_overlay) */
+	int     solved_turned;  /* triangles of the mesh it was solved on with (u,v) area < 0 */
 	int     turned;         /* triangles of the disk with (u,v) area < 0 */
 	int     polished;       /* rounds kept */
 } Conformal;

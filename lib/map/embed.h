@@ -24,7 +24,9 @@ void embed_free(Embeddable *s);
 
 /* Makes the triangulation of the mesh, and splits edges that would collapse in a map: loops, edges
  * with the same two ends, edges between vertices of one side.  Feet of obtuse angles at the
- * boundary are added while there are less than `most` vertices.  Returns 0 or EMBED_ENOMEM. */
+ * boundary are added in the first rounds, while there are less than `most` vertices.  Edges that would
+ * collapse may be left if they are too short to be split (INTRINSIC_SHORTEST), or after 12 rounds.
+ * Returns 0 or EMBED_ENOMEM. */
 int  embed(Embeddable *s, int most);
 
 /* Adds points to the mesh; embed must follow, for a new triangulation.  Returns the number of new

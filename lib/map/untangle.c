@@ -2,32 +2,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "harmonic.h"
 #include "rectmap.h"
 #include "untangle.h"
 #include "../base/vec3.h"
 
 enum { RINGS = 8, SWEEPS = 30 };
-enum { HOLD_U = 1, HOLD_V = 2 };
+enum { HOLD_U = SIDE_LEFT | SIDE_RIGHT, HOLD_V = SIDE_BOTTOM | SIDE_TOP };
 
 typedef struct Tangle {
 	const Disk    *d;
 	double        *u, *v;
-	unsigned char *hold;    /* [nv] the coordinates that the sides fix */
+	unsigned char *hold;    /* [nv] its sides, which fix a coordinate */
 	unsigned char *moving;  /* [nv] */
 	double        *sum;     /* [nv][3] of weights, of weighted u, of weighted v */
 } Tangle;
-
-static void
-mark_side(const Tangle *t, int a, int b, int hold)
-{
-	int i;
-
-	for (i = a; ; i = (i + 1)%t->d->nb) {
-		t->hold[t->d->loop[i]] |= hold;
-		if (i == b)
-			break;
-	}
-}
 
 static int
 is_turned(const Tangle *t, int f)
@@ -140,10 +129,7 @@ run(Tangle *t, const int corner[4], Best *best)
 {
 	int ring, sweep, e = 0;
 
-	mark_side(t, corner[0], corner[1], HOLD_V);
-	mark_side(t, corner[1], corner[2], HOLD_U);
-	mark_side(t, corner[2], corner[3], HOLD_V);
-	mark_side(t, corner[3], corner[0], HOLD_U);
+	harmonic_sides(t->d, corner, t->hold);
 	for (ring = 0; ring < RINGS && best->turned > 0 && !e; ring++) {
 		e = mark_moving(t, ring > 0);
 		for (sweep = 0; sweep < SWEEPS && best->turned > 0 && !e; sweep++) {
