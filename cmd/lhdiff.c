@@ -31,7 +31,9 @@ static const char text[] =
 "                     as 1/E\n"
 "      --no-hausdorff, --no-self-intersections   leave these out\n"
 CMD_USAGE
-"The exit code is 0 whatever the distance, 1 if a surface cannot be read or has no area.\n";
+"A mesh need not be a disk: what is not, is noted.  Faces without area are left out, and\n"
+"self-intersections of what is not a manifold.  The exit code is 0 whatever the distance, 1 if\n"
+"a surface cannot be read or has no area.\n";
 
 static const struct option longopt[] = {
 	{ "json",                  no_argument,       NULL, 'j' },

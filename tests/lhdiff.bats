@@ -100,3 +100,27 @@ column() {
 	END
 	try 1 'flat: grid 3: surface has no area'   /dev/null lhdiff "$tmp/cap" "$tmp/flat"
 }
+
+@test "what is no disk is named and compared: a face without area, a hole, three faces at an edge" {
+	grid2mesh "$tmp/cap" -o "$tmp/cap.off"
+	awk 'NR == 2 { $2++ } { print } END { print "3 0 1 1" }' "$tmp/cap.off" >"$tmp/twice.off"
+	sed '3s/.*/0 0 0/; 4s/.*/0 0 0/' "$tmp/cap.off" >"$tmp/flat.off"
+	awk 'NR == 2 { $2-- } NR != 500' "$tmp/cap.off" >"$tmp/hole.off"
+	awk 'NR == 2 { $2++ } { print } END { print "3 18 19 100" }' "$tmp/cap.off" >"$tmp/three.off"
+	no_disk() {
+		lhdiff --no-hausdorff "$tmp/cap.off" "$tmp/$1.off" >"$tmp/out" 2>"$tmp/err"
+		grep -q "not a disk, compared as it is: $2" "$tmp/err"
+		grep -q '^max ' "$tmp/out"
+	}
+	no_disk twice 'face 512 has vertex 1 twice'
+	grep -q '1 face is left out' "$tmp/err"
+	grep -q '^self_intersections_b 0' "$tmp/out"
+	no_disk flat 'face 0 has no area'
+	no_disk hole '2 boundary loops'
+	grep -q '^max 0$' "$tmp/out"
+	no_disk three 'edge 18-19 belongs to 3 faces'
+	grep -q 'three.off: not a manifold: self-intersections are not counted' "$tmp/err"
+	[ "$(grep -c self_intersections "$tmp/out")" = 1 ]
+	printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n' >"$tmp/line.off"
+	try 1 'line.off: no face has area' /dev/null lhdiff "$tmp/cap.off" "$tmp/line.off"
+}

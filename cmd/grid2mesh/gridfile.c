@@ -29,8 +29,13 @@ static void
 mesh_of_grid(const CmdInput *in, const Lhg *g, const double *const phi[3], const MeshFormat *format, char **bytes, size_t *n)
 {
 	Mesh m;
-	int e = mesh_from_grid(&m, g->nu, g->nv, phi[0], phi[1], phi[2]);
+	int left = 0, e = mesh_from_grid(&m, g->nu, g->nv, phi[0], phi[1], phi[2]);
 
+	if (!e)
+		e = gridmesh_part(&m, g->nu, g->nv, (format->can & MESHFORMAT_SINGLE) != 0, &left);
+	if (left)
+		note("%s: %d faces without area, or nodes at one place: cells smaller than %s can hold", in->name,
+		    left, format->name);
 	if (!e)
 		e = meshfile_write_mesh(&m, format, bytes, n);
 	if (e == MESH_EVALUE)

@@ -28,7 +28,9 @@ crossings(const char *place, const Mesh *m)
 	switch (distance_crossings(m, &pairs)) {
 	case 0: break;
 	case DISTANCE_ENOMEM: die("no memory for the self-intersections");
-	case DISTANCE_EEDGE: die("%s: not a manifold, even without the faces of zero area", place);
+	case DISTANCE_EEDGE:
+		note("%s: not a manifold: self-intersections are not counted", place);
+		return -1;
 	default: die("%s: self-intersections cannot be found", place);
 	}
 	return (double)pairs;

@@ -20,7 +20,7 @@ typedef struct Compare {
 /* One of the two surfaces, and the values that depend on it alone. */
 typedef struct Side {
 	Mesh   m;
-	double area, crossings;         /* -1 crossings: not computed */
+	double area, crossings;         /* -1 crossings: not computed, or not defined */
 } Side;
 
 /* Compute area and crossings of side s, or die; place names it in messages. */

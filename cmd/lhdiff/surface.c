@@ -1,5 +1,8 @@
 /* surface.c - the surfaces of an operand: a stream of grids or a mesh file. */
+#include <string.h>
+
 #include "../../lib/grid/gridmesh.h"
+#include "../../lib/mesh/disk.h"
 #include "../shared/load.h"
 #include "../shared/range.h"
 #include "surface.h"
@@ -29,6 +32,23 @@ from_grid(CmdInput *in, Mesh *m)
 	return 1;
 }
 
+/* The faces of a mesh file, a disk or not. */
+static void
+faces(const char *name, const Soup *soup, Disk *d)
+{
+	char fault[MESH_ERRLEN];
+
+	range_positions(name, (size_t)soup->nv, 3, (const double *[]){ soup->xyz, soup->xyz + 1, soup->xyz + 2 });
+	if (disk_from_soup(d, soup)) {
+		memcpy(fault, d->err, sizeof fault);
+		if (disk_loose(d, soup))
+			die("%s: %s", name, d->err);
+		note("%s: not a disk, compared as it is: %s", name, fault);
+	}
+	if (d->note[0])
+		note("%s: %s", name, d->note);
+}
+
 static int
 from_mesh(Surfaces *s, Mesh *m)
 {
@@ -39,7 +59,7 @@ from_mesh(Surfaces *s, Mesh *m)
 		return 0;
 	load_bytes(s->in.name, s->bytes, s->n, 0, &soup);
 	s->bytes = NULL;
-	load_disk(s->in.name, &soup, &d);
+	faces(s->in.name, &soup, &d);
 	soup_free(&soup);
 	*m = d.m;
 	d.m = (Mesh){ 0, 0, NULL, NULL };       /* the mesh belongs to m now */

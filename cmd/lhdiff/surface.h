@@ -19,7 +19,7 @@ typedef struct Surfaces {
 /* Open path ("-": stdin); its first bytes decide whether it is a stream of grids. */
 void surfaces_open(Surfaces *s, const char *path);
 
-/* The next surface and 1, or 0 at the end; dies if a mesh is no disk or a grid has no channels
+/* The next surface and 1, or 0 at the end; dies if a mesh has no face with area or a grid has no channels
  * x y z. */
 int  surfaces_next(Surfaces *s, Mesh *m);
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "gridmesh.h"
+#include "../mesh/polygon.h"
 
 static double
 dist2(const Mesh *m, int p, int q)
@@ -14,14 +15,26 @@ dist2(const Mesh *m, int p, int q)
 	return x*x + y*y + z*z;
 }
 
-/* The two triangles of the cell whose lowest node is p. */
-static void
-split(const Mesh *m, int p, int nu, int tri[6])
+/* How many of two triangles have no area. */
+static int
+flat(const Mesh *m, const int tri[6])
+{
+	const double *x = m->xyz;
+
+	return !polygon_has_area(x + 3*(size_t)tri[0], x + 3*(size_t)tri[1], x + 3*(size_t)tri[2])
+	    + !polygon_has_area(x + 3*(size_t)tri[3], x + 3*(size_t)tri[4], x + 3*(size_t)tri[5]);
+}
+
+int
+gridmesh_cell(const Mesh *m, int p, int nu, int tri[6])
 {
 	const int a = p, b = p+1, c = p+1+nu, d = p+nu;
 	const int ac[6] = { a, b, c, a, c, d }, bd[6] = { a, b, d, b, c, d };
+	const int *shorter = dist2(m, b, d) < dist2(m, a, c) ? bd : ac, *longer = shorter == ac ? bd : ac;
+	int none = flat(m, shorter), other = none ? flat(m, longer) : 0;
 
-	memcpy(tri, dist2(m, b, d) < dist2(m, a, c) ? bd : ac, sizeof ac);
+	memcpy(tri, none > other ? longer : shorter, sizeof ac);
+	return none > other ? other : none;
 }
 
 int
@@ -46,6 +59,6 @@ mesh_from_grid(Mesh *m, int nu, int nv, const double *x, const double *y, const 
 	}
 	for (j = 0; j < nv-1; j++)
 		for (i = 0; i < nu-1; i++, m->nf += 2)
-			split(m, j*nu + i, nu, m->tri + 3*(size_t)m->nf);
+			gridmesh_cell(m, j*nu + i, nu, m->tri + 3*(size_t)m->nf);
 	return 0;
 }

@@ -196,13 +196,29 @@ checkdisk(Disk *d)
 	return e;
 }
 
+/* The triangles of all faces; of a loose mesh, of those that can be split. */
 static int
-build(Disk *d, const Soup *s, int *scratch)
+split_faces(Disk *d, const Soup *s, int loose)
+{
+	char reason[MESH_ERRLEN];
+	int out, e;
+
+	if (!loose)
+		return polygon_split(s, &d->m.tri, &d->m.nf, d->err);
+	if ((e = polygon_split_some(s, &d->m.tri, &d->m.nf, &out, reason)) != 0)
+		return mesh_fail(d->err, e, "%s", reason);
+	if (out)
+		addnote(d, "%d %s left out: %s", out, out == 1 ? "face is" : "faces are", reason);
+	return d->m.nf ? 0 : mesh_fail(d->err, MESH_EFACE, "no face has area");
+}
+
+static int
+build(Disk *d, const Soup *s, int loose, int *scratch)
 {
 	Mesh *m = &d->m;
 	int e, v;
 
-	if ((e = polygon_split(s, &m->tri, &m->nf, d->err)) != 0)
+	if ((e = split_faces(d, s, loose)) != 0)
 		return e;
 	m->xyz = mesh_alloc(d->err, (size_t)s->nv, 3 * sizeof *m->xyz);
 	d->file = mesh_alloc(d->err, (size_t)s->nv, sizeof *d->file);
@@ -218,11 +234,11 @@ build(Disk *d, const Soup *s, int *scratch)
 		return e;
 	if (channels_gather(&d->channels, &s->channels, m->nv, d->file, 0))
 		return mesh_fail(d->err, MESH_ENOMEM, "no memory for the channels of %d vertices", m->nv);
-	return checkdisk(d);
+	return loose ? 0 : checkdisk(d);
 }
 
-int
-disk_from_soup(Disk *d, const Soup *s)
+static int
+from_soup(Disk *d, const Soup *s, int loose)
 {
 	int *scratch, e;
 
@@ -232,11 +248,23 @@ disk_from_soup(Disk *d, const Soup *s)
 	if (s->nf == 0)
 		return mesh_fail(d->err, MESH_EDISK, "no faces");
 	scratch = mesh_alloc(d->err, (size_t)s->nv, sizeof *scratch);
-	e = scratch ? build(d, s, scratch) : MESH_ENOMEM;
+	e = scratch ? build(d, s, loose, scratch) : MESH_ENOMEM;
 	free(scratch);
 	if (e)
 		disk_free(d);
 	return e;
+}
+
+int
+disk_from_soup(Disk *d, const Soup *s)
+{
+	return from_soup(d, s, 0);
+}
+
+int
+disk_loose(Disk *d, const Soup *s)
+{
+	return from_soup(d, s, 1);
 }
 
 /* The number that a side has after its face is turned. */

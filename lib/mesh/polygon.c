@@ -11,14 +11,20 @@
 
 enum { MAXCORNERS = 10000 };            /* the time of ear clipping grows with their square */
 
-static int
-triangle(Polygon *p)
+int
+polygon_has_area(const double *a, const double *b, const double *c)
 {
 	double n[3];
 
-	polygon_shape(polygon_at(p, 0), polygon_at(p, 1), polygon_at(p, 2), n);
-	polygon_put(p, 0, 1, 2);
+	polygon_shape(a, b, c, n);
 	return norm3(n) > POLYGON_FLAT;
+}
+
+static int
+triangle(Polygon *p)
+{
+	polygon_put(p, 0, 1, 2);
+	return polygon_has_area(polygon_at(p, 0), polygon_at(p, 1), polygon_at(p, 2));
 }
 
 /* The smaller of the shapes of triangles i i+1 i+2 and i i+2 i+3, measured along the normal of the quad. */
@@ -75,73 +81,140 @@ repeated_vertex(const Soup *s, int f, int *mark)
 	return -1;
 }
 
+/* 0, or MESH_EFACE with the reason why face f cannot be split, known from its corners alone. */
+static int
+check_corners(const Soup *s, int f, int *mark, char *err)
+{
+	int n = s->first[f+1] - s->first[f], v;
+
+	if (n < 3 || n > MAXCORNERS)
+		return mesh_fail(err, MESH_EFACE, n < 3 ? "face %d has only %d corners" :
+		    "face %d has %d corners, more than %d", f, n, MAXCORNERS);
+	if ((v = repeated_vertex(s, f, mark)) >= 0)
+		return mesh_fail(err, MESH_EFACE, "face %d has vertex %d twice", f, v);
+	return 0;
+}
+
+/* A soup being split.  Faces that cannot be split are left out if some is set; else the first ends the work. */
+typedef struct Splitting {
+	const Soup *s;
+	int   some, out;
+	char *skip;             /* [nf] left out */
+	char *err;              /* [MESH_ERRLEN] the first fault */
+} Splitting;
+
+/* Takes the fault e of face f: returns it, or 0 if the face is left out. */
+static int
+leave_out(Splitting *w, int f, int e, const char *reason)
+{
+	if (w->out++ == 0)
+		memcpy(w->err, reason, MESH_ERRLEN);
+	w->skip[f] = 1;
+	return w->some ? 0 : e;
+}
+
 /* Counts the triangles after splitting, and the corners of the largest face. */
 static int
-count_triangles(const Soup *s, int *mark, size_t *ntri, int *most, char *err)
+count_triangles(Splitting *w, int *mark, size_t *ntri, int *most)
 {
-	int f, n, v;
+	char reason[MESH_ERRLEN];
+	int f, n, e;
 
 	*ntri = 0;
 	*most = 4;
-	memset(mark, -1, (size_t)s->nv * sizeof *mark);
-	for (f = 0; f < s->nf; f++) {
-		n = s->first[f+1] - s->first[f];
-		if (n < 3 || n > MAXCORNERS)
-			return mesh_fail(err, MESH_EFACE, n < 3 ? "face %d has only %d corners" :
-			    "face %d has %d corners, more than %d", f, n, MAXCORNERS);
-		if ((v = repeated_vertex(s, f, mark)) >= 0)
-			return mesh_fail(err, MESH_EFACE, "face %d has vertex %d twice", f, v);
+	memset(mark, -1, (size_t)w->s->nv * sizeof *mark);
+	for (f = 0; f < w->s->nf; f++) {
+		if ((e = check_corners(w->s, f, mark, reason)) != 0) {
+			if ((e = leave_out(w, f, e, reason)) != 0)
+				return e;
+			continue;
+		}
+		n = w->s->first[f+1] - w->s->first[f];
 		*ntri += (size_t)n - 2;
 		*most = n > *most ? n : *most;
 	}
 	if (*ntri > INT_MAX / 3)
-		return mesh_fail(err, MESH_ENOMEM, "no memory for %zu triangles", *ntri);
+		return mesh_fail(w->err, MESH_ENOMEM, "no memory for %zu triangles", *ntri);
 	return 0;
 }
 
 static int
-splitall(const Soup *s, Polygon *p, char *err)
+split_face(const Soup *s, int f, Polygon *p, char *err)
 {
-	int f, ok;
+	int *start = p->tri, ok;
 
-	p->xyz = s->xyz;
-	for (f = 0; f < s->nf; f++) {
-		p->v = s->idx + s->first[f];
-		p->n = s->first[f+1] - s->first[f];
-		ok = p->n == 3 ? triangle(p) : p->n == 4 ? quad(p) : polygon_clip(p);
-		if (!ok)
-			return mesh_fail(err, MESH_EFACE, p->n == 3 ? "face %d has no area" :
-			    "face %d, of %d corners, cannot be split into triangles of some area",
-			    f, p->n);
+	p->v = s->idx + s->first[f];
+	p->n = s->first[f+1] - s->first[f];
+	ok = p->n == 3 ? triangle(p) : p->n == 4 ? quad(p) : polygon_clip(p);
+	if (ok)
+		return 0;
+	p->tri = start;
+	return mesh_fail(err, MESH_EFACE, p->n == 3 ? "face %d has no area" :
+	    "face %d, of %d corners, cannot be split into triangles of some area", f, p->n);
+}
+
+static int
+split_all(Splitting *w, Polygon *p)
+{
+	char reason[MESH_ERRLEN];
+	int f, e;
+
+	p->xyz = w->s->xyz;
+	for (f = 0; f < w->s->nf; f++)
+		if (!w->skip[f] && (e = split_face(w->s, f, p, reason)) != 0 &&
+		    (e = leave_out(w, f, e, reason)) != 0)
+			return e;
+	return 0;
+}
+
+static int
+split(Splitting *w, int **tri, int *ntri)
+{
+	Polygon p = { 0 };
+	int *mark, *out = NULL, most, e = MESH_ENOMEM;
+	size_t n;
+
+	mark = mesh_alloc(w->err, (size_t)w->s->nv, sizeof *mark);
+	w->skip = mesh_alloc(w->err, (size_t)w->s->nf, 1);
+	if (mark && w->skip) {
+		memset(w->skip, 0, (size_t)w->s->nf);
+		e = count_triangles(w, mark, &n, &most);
 	}
+	if (e == 0) {
+		p.tri = out = mesh_alloc(w->err, n, 3 * sizeof *out);
+		p.flat = mesh_alloc(w->err, (size_t)most, sizeof *p.flat);
+		p.next = mesh_alloc(w->err, (size_t)most, sizeof *p.next);
+		p.prev = mesh_alloc(w->err, (size_t)most, sizeof *p.prev);
+		e = out && p.flat && p.next && p.prev ? split_all(w, &p) : MESH_ENOMEM;
+	}
+	free(mark);
+	free(w->skip);
+	free(p.flat);
+	free(p.next);
+	free(p.prev);
+	if (e) {
+		free(out);
+		return e;
+	}
+	*tri = out;
+	*ntri = (int)((p.tri - out)/3);
 	return 0;
 }
 
 int
 polygon_split(const Soup *s, int **tri, int *ntri, char err[MESH_ERRLEN])
 {
-	Polygon p = { 0 };
-	int *mark, *out = NULL, most, e = MESH_ENOMEM;
-	size_t n;
+	Splitting w = { .s = s, .err = err };
 
-	mark = mesh_alloc(err, (size_t)s->nv, sizeof *mark);
-	if (!mark)
-		return MESH_ENOMEM;
-	if ((e = count_triangles(s, mark, &n, &most, err)) == 0) {
-		p.tri = out = mesh_alloc(err, n, 3 * sizeof *out);
-		p.flat = mesh_alloc(err, (size_t)most, sizeof *p.flat);
-		p.next = mesh_alloc(err, (size_t)most, sizeof *p.next);
-		p.prev = mesh_alloc(err, (size_t)most, sizeof *p.prev);
-		e = out && p.flat && p.next && p.prev ? splitall(s, &p, err) : MESH_ENOMEM;
-		*ntri = (int)n;
-	}
-	free(mark);
-	free(p.flat);
-	free(p.next);
-	free(p.prev);
-	if (e)
-		free(out);
-	else
-		*tri = out;
+	return split(&w, tri, ntri);
+}
+
+int
+polygon_split_some(const Soup *s, int **tri, int *ntri, int *out, char err[MESH_ERRLEN])
+{
+	Splitting w = { .s = s, .some = 1, .err = err };
+	int e = split(&w, tri, ntri);
+
+	*out = w.out;
 	return e;
 }

@@ -7,13 +7,14 @@
 #include "meshpriv.h"
 #include "writepriv.h"
 
-enum { UV = MESHFORMAT_UV, SHARED = MESHFORMAT_SHARED, WRITE = MESHFORMAT_WRITE };
+enum { UV = MESHFORMAT_UV, SHARED = MESHFORMAT_SHARED, WRITE = MESHFORMAT_WRITE,
+	SINGLE = MESHFORMAT_SINGLE };
 
 static const MeshFormat table[] = {
 	{ "OFF", ".off", SHARED | WRITE,      off_recognise, off_read, off_write },
 	{ "OBJ", ".obj", SHARED | WRITE | UV, obj_recognise, obj_read, obj_write },
 	{ "PLY", ".ply", SHARED | WRITE | UV, ply_recognise, ply_read, ply_write },
-	{ "STL", ".stl", WRITE,               stl_recognise, stl_read, stl_write }
+	{ "STL", ".stl", WRITE | SINGLE,      stl_recognise, stl_read, stl_write }
 };
 
 enum { ROWS = sizeof table / sizeof *table };

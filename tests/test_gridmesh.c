@@ -1,0 +1,179 @@
+/* test_gridmesh.c - gridmesh.h: faces of a grid whose nodes coincide or lie on lines. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+
+#include "../lib/grid/gridmesh.h"
+#include "../lib/mesh/polygon.h"
+
+enum { NU = 9, NV = 7, N = NU*NV };
+
+static double phi[3][N];
+
+/* A bent sheet, about 2 wide, at x = y = z = offset. */
+static void
+sheet(double offset)
+{
+	int p;
+
+	for (p = 0; p < N; p++) {
+		phi[0][p] = offset + .25*(p % NU);
+		phi[1][p] = offset + .3*(p / NU);
+		phi[2][p] = offset + sin(phi[0][p] - offset)*cos(phi[1][p] - offset);
+	}
+}
+
+static void
+put(int i, int j, int from_i, int from_j)
+{
+	int c;
+
+	for (c = 0; c < 3; c++)
+		phi[c][j*NU + i] = phi[c][from_j*NU + from_i];
+}
+
+static int
+flat_faces(const Mesh *m)
+{
+	int f, k, n = 0;
+	const double *x[3];
+
+	for (f = 0; f < m->nf; f++) {
+		for (k = 0; k < 3; k++)
+			x[k] = m->xyz + 3*(size_t)m->tri[3*f + k];
+		n += !polygon_has_area(x[0], x[1], x[2]);
+	}
+	return n;
+}
+
+/* The number of faces without area before and after, and the largest way that a node moved. */
+static int
+part(int single, int *before, double *moved)
+{
+	double d;
+	int p, c, left = -1;
+	Mesh m;
+
+	assert_int_equal(mesh_from_grid(&m, NU, NV, phi[0], phi[1], phi[2]), 0);
+	*before = flat_faces(&m);
+	assert_int_equal(gridmesh_part(&m, NU, NV, single, &left), 0);
+	assert_int_equal(m.nf, 2*(NU-1)*(NV-1));
+	for (*moved = 0, p = 0; p < N; p++)
+		for (c = 0; c < 3; c++) {
+			d = fabs(m.xyz[3*p + c] - phi[c][p]);
+			*moved = d > *moved ? d : *moved;
+			assert_true(!single || m.xyz[3*p + c] == (double)(float)m.xyz[3*p + c]);
+		}
+	assert_true(left > 0 || flat_faces(&m) == 0);
+	mesh_free(&m);
+	return left;
+}
+
+static void
+sound_grids_stay(void **state)
+{
+	double moved;
+	int before;
+
+	(void)state;
+	sheet(0);
+	assert_int_equal(part(0, &before, &moved), 0);
+	assert_int_equal(before, 0);
+	assert_true(moved == 0);
+}
+
+/* Three nodes of a cell on a line, its shorter diagonal among them. */
+static void
+the_other_diagonal_helps(void **state)
+{
+	double moved;
+	int before, c;
+
+	(void)state;
+	sheet(0);
+	for (c = 0; c < 3; c++) {       /* node (3,2) halfway between (3,3) and (4,2), (4,3) far off */
+		phi[c][2*NU + 3] = (phi[c][3*NU + 3] + phi[c][2*NU + 4])/2;
+		phi[c][3*NU + 4] += 2*(phi[c][3*NU + 4] - phi[c][2*NU + 3]);
+	}
+	assert_int_equal(part(0, &before, &moved), 0);
+	assert_int_equal(before, 0);
+	assert_true(moved == 0);
+}
+
+/* Pairs at a corner, on a side and inside, a cell, and a block of 16 nodes: moved by less than
+ * the width of a cell times 1/1024 for each ring of the block. */
+static void
+coinciding_nodes_are_parted(void **state)
+{
+	double moved;
+	int before, i, j;
+
+	(void)state;
+	sheet(0);
+	put(NU-1, 1, NU-1, 0);
+	put(3, NV-1, 4, NV-1);
+	put(3, 3, 3, 2);
+	assert_int_equal(part(0, &before, &moved), 0);
+	assert_true(before >= 4);
+	assert_true(moved > 0 && moved < .5/1024);
+	for (j = 1; j < 5; j++)
+		for (i = 2; i < 6; i++)
+			put(i, j, 2, 1);
+	assert_int_equal(part(0, &before, &moved), 0);
+	assert_true(before >= 18);
+	assert_true(moved < .01);
+}
+
+/* What floats cannot tell apart: two neighbours, and two nodes far from each other. */
+static void
+floats_are_parted(void **state)
+{
+	double moved;
+	int before, c;
+
+	(void)state;
+	sheet(1);
+	put(NU-1, 1, NU-1, 0);
+	phi[0][2*NU - 1] += 1e-9;
+	for (c = 0; c < 3; c++)
+		phi[c][3*NU + 1] = phi[c][3*NU + 6] + 1e-9;
+	assert_int_equal(part(0, &before, &moved), 0);
+	assert_int_equal(before, 0);
+	assert_true(moved == 0);
+	assert_int_equal(part(1, &before, &moved), 0);
+	assert_true(moved > 1e-9 && moved < 1e-2);
+}
+
+static void
+what_has_no_area_is_told(void **state)
+{
+	double moved;
+	int before;
+
+	(void)state;
+	sheet(0);
+	memset(phi[0], 0, sizeof phi[0]);
+	memset(phi[2], 0, sizeof phi[2]);
+	assert_int_equal(part(0, &before, &moved), 2*(NU-1)*(NV-1));
+	sheet(1e12);                            /* cells below the rounding of floats */
+	assert_true(part(1, &before, &moved) > 0);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(sound_grids_stay),
+		cmocka_unit_test(the_other_diagonal_helps),
+		cmocka_unit_test(coinciding_nodes_are_parted),
+		cmocka_unit_test(floats_are_parted),
+		cmocka_unit_test(what_has_no_area_is_told)
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
