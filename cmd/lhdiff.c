@@ -43,7 +43,8 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
-/* Replaces side by the next surface of s with its area and self-intersections.  Returns 0 at the end. */
+/* Replaces side by the next surface of s with its area and self-intersections.  Returns 0 at the
+ * end. */
 static int
 next_side(const Compare *c, Surfaces *s, Side *side)
 {

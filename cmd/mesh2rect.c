@@ -97,12 +97,13 @@ opt_cells(char *s, Chart *g)
 	free(first);
 }
 
-/* Bytes of memory, above all measured numbers: for each vertex of the map; of these, what is kept while the grid is
- * made; for each crossing of the overlay; for each node, and if the grid is polished. */
+/* Bytes of memory, above all measured numbers: for each vertex of the map; of these, what is kept
+ * while the grid is made; for each crossing of the overlay; for each node, and if the grid is
+ * polished. */
 enum { PER_VERTEX = 1500, KEPT = 500, PER_CROSSING = 250, PER_NODE = 8*6, PER_POLISHED = 8*46 };
 
-/* Dies if memory is too small for the mesh and the grid, and notes if it may be too small for what refinement adds,
- * which is not known before. */
+/* Dies if memory is too small for the mesh and the grid, and notes if it may be too small for what
+ * refinement adds, which is not known before. */
 static void
 claim_map(const char *name, const Disk *d, Chart g, const ConformalOptions *o)
 {

@@ -41,8 +41,8 @@ int lhg_goodname(const char *p, size_t n, size_t size, const char *extra);
 /* Whether the n bytes at p are a value or a text by LHG.md 2.3. */
 int lhg_goodtext(const char *p, size_t n);
 
-/* T > 0 in the notation of LHG.md 2, and back; both are independent of the locale.  lhg_getheight gives 0
- * if the text is not a decimal number. */
+/* T > 0 in the notation of LHG.md 2, and back; both are independent of the locale.  lhg_getheight
+ * gives 0 if the text is not a decimal number. */
 enum { LHG_HEIGHTLEN = 40 };
 void   lhg_putheight(char text[LHG_HEIGHTLEN], double T);
 double lhg_getheight(const char *p, size_t n);

@@ -84,8 +84,8 @@ area(const Made *m, const int *c)
 	return (b[0] - a[0])*(e[1] - a[1]) - (b[1] - a[1])*(e[0] - a[0]);
 }
 
-/* Whether triangle f can be added to those that are in, so that these stay a disk: it shares two sides with
- * them, or one side and not the opposite corner. */
+/* Whether triangle f can be added to those that are in, so that these stay a disk: it shares two
+ * sides with them, or one side and not the opposite corner. */
 static int
 extends(const Made *m, const Topology *t, const unsigned char *in, const unsigned char *used, int f)
 {
@@ -139,7 +139,8 @@ keep_disk(Made *m)
 	return 0;
 }
 
-/* The Delaunay triangles of the points scaled by sx, sy, those with their centre in the polygon, if there is one. */
+/* The Delaunay triangles of the points scaled by sx, sy, those with their centre in the polygon,
+ * if there is one. */
 static int
 triangulate(Made *m, double sx, double sy, int n, double poly[][2])
 {

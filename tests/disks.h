@@ -1,5 +1,5 @@
-/* disks.h - random disks for tests: stars, strips, combs, spirals, fans, grids, with needles, spikes, folds, cusps,
- * of any size and place. */
+/* disks.h - random disks for tests: stars, strips, combs, spirals, fans, grids, with needles,
+ * spikes, folds, cusps, of any size and place. */
 #ifndef DISKS_H
 #define DISKS_H
 
@@ -16,8 +16,8 @@ enum {
 	DISKS_FLAT      /* DISKS_NICE in the plane z = 0, counterclockwise */
 };
 
-/* A random disk, the same for equal seeds on every machine.  tag: a name for its kind.  Returns 0, or -1 if the seed has none: a triangle without
- * area, or a boundary of three vertices. */
+/* A random disk, the same for equal seeds on every machine.  tag: a name for its kind.  Returns 0,
+ * or -1 if the seed has none: a triangle without area, or a boundary of three vertices. */
 int disks_random(uint64_t seed, int kind, Disk *d, char tag[DISKS_TAG]);
 
 /* A disk of triangles.  Returns the result of disk_from_soup. */
@@ -29,7 +29,8 @@ int disks_renumbered(const Disk *d, uint64_t seed, Disk *other, int *number);
 /* The faces in another order, each beginning at any of its corners. */
 int disks_reordered(const Disk *d, uint64_t seed, Disk *other);
 
-/* Whether d is one: the twins are those of the faces, one fan at each vertex, one boundary, which is the loop up to its start. */
+/* Whether d is one: the twins are those of the faces, one fan at each vertex, one boundary, which
+ * is the loop up to its start. */
 int disks_is_disk(const Disk *d);
 
 #endif

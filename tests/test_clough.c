@@ -408,7 +408,8 @@ errors(const Charted *s, double e[4])
 }
 
 /* phi converges with fourth order in the mesh size, first derivatives with third, second
- * ones and the normal part of the Laplacian with second; orders from first to last, at least 0.2 less. */
+ * ones and the normal part of the Laplacian with second; orders from first to last, at least 0.2
+ * less. */
 static void
 orders(void **state)
 {

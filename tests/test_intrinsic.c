@@ -1,5 +1,5 @@
-/* test_intrinsic.c - intrinsic triangulations: Delaunay, of the same surface, and crossed by mesh edges where these
- * cross them in the plane. */
+/* test_intrinsic.c - intrinsic triangulations: Delaunay, of the same surface, and crossed by mesh
+ * edges where these cross them in the plane. */
 #include "cmock.h"
 
 #include <math.h>

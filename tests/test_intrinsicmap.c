@@ -1,5 +1,5 @@
-/* test_intrinsicmap.c - the map of any disk: known moduli, random disks, and disks that are moved, scaled and
- * renumbered.  With SOAK set, more of the random ones. */
+/* test_intrinsicmap.c - the map of any disk: known moduli, random disks, and disks that are moved,
+ * scaled and renumbered.  With SOAK set, more of the random ones. */
 #include "cmock.h"
 
 #include <math.h>
@@ -27,7 +27,8 @@ map(const char *kind, int n, AdaptOptions o, double *T, IntrinsicMap *m)
 	disk_free(&d);
 }
 
-/* Triangles of t with the sides of u, v in order and their (u,v) area: none below -1e-14 T, T in all. */
+/* Triangles of t with the sides of u, v in order and their (u,v) area: none below -1e-14 T, T in
+ * all. */
 static void
 check_image(const IntrinsicMap *m)
 {
@@ -158,7 +159,8 @@ check_intrinsic(const Disk *d, const int vertex[4])
 	intrinsic_map_free(&m);
 }
 
-/* Seeds of disks that take seconds or minutes: needles and doubled points far from the origin, fans.  34 is refused (SPD_EINDEFINITE). */
+/* Seeds of disks that take seconds or minutes: needles and doubled points far from the origin,
+ * fans.  34 is refused (SPD_EINDEFINITE). */
 static int
 is_slow(uint64_t seed)
 {
@@ -225,8 +227,8 @@ copy(const Disk *d, Disk *other)
 	assert_int_equal(disks_of(d->m.nv, d->m.xyz, d->m.nf, d->m.tri, other), 0);
 }
 
-/* The mean distance of the nodes of b from those of a as m moves them, over its sqrt(area); turned: b is the grid of
- * corners rotated by two. */
+/* The mean distance of the nodes of b from those of a as m moves them, over its sqrt(area);
+ * turned: b is the grid of corners rotated by two. */
 static double
 deviation(const Conformal *a, const Conformal *b, const Motion *m, int turned, double size)
 {
@@ -248,8 +250,8 @@ deviation(const Conformal *a, const Conformal *b, const Motion *m, int turned, d
 
 enum { RENUMBERED, REORDERED, ROTATED, FAR, SMALL, LARGE, TURNED, CASES };
 
-/* The same disk in another guise.  The polish, whose rounds end by a threshold, can magnify rounding errors, so it is left out;
- * and so is the smooth surface. */
+/* The same disk in another guise.  The polish, whose rounds end by a threshold, can magnify
+ * rounding errors, so it is left out; and so is the smooth surface. */
 static double
 deviation_of(const Disk *d, const int vertex[4], int what, uint64_t seed)
 {

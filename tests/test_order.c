@@ -285,7 +285,8 @@ static int is_open(int x, int y) { return open_cell[y][x]; }
 static int strip(int x, int y) { (void)x, (void)y; return 1; }
 static int comb(int x, int y) { return y == 0 || x%2 == 0; }
 
-/* Splits triangles until there are about n vertices: all, or at random one in four and those at hubs. */
+/* Splits triangles until there are about n vertices: all, or at random one in four and those at
+ * hubs. */
 static void
 split_to(int n, int everywhere, Subdivision *s)
 {

@@ -1,4 +1,5 @@
-/* test_sampler.c - the smooth surface with facets near turned triangles, and the corners of the chart. */
+/* test_sampler.c - the smooth surface with facets near turned triangles, and the corners of the
+ * chart. */
 #include "cmock.h"
 
 #include <math.h>
@@ -12,8 +13,8 @@
 
 enum { POINTS = 400, A = 4, B = 5, C = POINTS };
 
-/* A point of the unit square in the chart: a dent below the middle, in which the thin triangle A B C is turned over if
- * drawn straight. */
+/* A point of the unit square in the chart: a dent below the middle, in which the thin triangle A B
+ * C is turned over if drawn straight. */
 static void
 warp(double x, double y, double *u, double *v)
 {
@@ -23,8 +24,8 @@ warp(double x, double y, double *u, double *v)
 	*v = y - .04*exp(-r2)*16*x*(1 - x)*y*(1 - y);
 }
 
-/* Random points of the square, none near A B but these two, and C just above the middle of A B: the graph of a smooth function,
- * u, v: the map. */
+/* Random points of the square, none near A B but these two, and C just above the middle of A B:
+ * the graph of a smooth function, u, v: the map. */
 static void
 make_dented(Disk *d, double **u, double **v)
 {
@@ -174,7 +175,8 @@ within(const Mesh *m, double x, double y, double w[3])
 	return fmin(w[0], fmin(w[1], w[2])) > -1e-9;
 }
 
-/* Nodes at the vertices of the finer mesh in A B C: there the surface is that facet, and the channel is linear. */
+/* Nodes at the vertices of the finer mesh in A B C: there the surface is that facet, and the
+ * channel is linear. */
 static void
 facets_at_a_turned_triangle(void **state)
 {
@@ -208,8 +210,9 @@ facets_at_a_turned_triangle(void **state)
 	disk_free(&d);
 }
 
-/* A square each of whose corners is cut off by an edge at a distance of 1e-12 in the chart: the corner is within the tolerance
- * of the walk in the triangle beyond that edge, too.  The node there is the vertex all the same. */
+/* A square each of whose corners is cut off by an edge at a distance of 1e-12 in the chart: the
+ * corner is within the tolerance of the walk in the triangle beyond that edge, too.  The node
+ * there is the vertex all the same. */
 static void
 corners_are_vertices(void **state)
 {

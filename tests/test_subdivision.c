@@ -1,4 +1,5 @@
-/* test_subdivision.c - points added to a disk: it stays a disk of the same surface, on which linear functions stay linear. */
+/* test_subdivision.c - points added to a disk: it stays a disk of the same surface, on which
+ * linear functions stay linear. */
 #include "cmock.h"
 
 #include <math.h>
@@ -22,8 +23,8 @@ choose(Chosen *c, SurfacePoint p)
 	c->point[c->n++] = p;
 }
 
-/* Up to four points on every third side, at places a quarter apart, each from either of its triangles; some of them
- * twice, some at the ends. */
+/* Up to four points on every third side, at places a quarter apart, each from either of its
+ * triangles; some of them twice, some at the ends. */
 static void
 choose_on_sides(const Disk *d, uint64_t *rng, Chosen *c)
 {
@@ -146,7 +147,8 @@ check_linear(const Subdivision *s)
 	free(f);
 }
 
-/* inner is that of both sides of an edge, and 0 on pieces of given edges: as many as the points on them make. */
+/* inner is that of both sides of an edge, and 0 on pieces of given edges: as many as the points on
+ * them make. */
 static void
 check_inner(const Subdivision *s, int given)
 {

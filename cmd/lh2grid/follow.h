@@ -10,8 +10,8 @@ typedef struct Before {
 	double *phi;            /* [3][nv][nu] */
 } Before;
 
-/* If the previous surface has the size of g: replaces the start of g by a lattice of that surface, about 33
- * nodes along the shorter side.  Its unit is that of the start or the band of g. */
+/* If the previous surface has the size of g: replaces the start of g by a lattice of that surface,
+ * about 33 nodes along the shorter side.  Its unit is that of the start or the band of g. */
 void follow_start(const Before *before, Lhg *g);
 
 /* Keeps phi[3][nv][nu] for the next frame, and frees it later. */

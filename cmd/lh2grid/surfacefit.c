@@ -9,7 +9,8 @@
 #include "../shared/range.h"
 #include "surfacefit.h"
 
-/* Factor of the tolerance with residual channels: an exact fit exists, and the last steps converge fast. */
+/* Factor of the tolerance with residual channels: an exact fit exists, and the last steps converge
+ * fast. */
 static const double EXACT = 1e-4;
 
 static const char *const START[3] = { "start.x", "start.y", "start.z" };

@@ -1,4 +1,5 @@
-/* surfacefit.h - calls the surface method (lib/surface/surface.h) for a grid; failures become messages. */
+/* surfacefit.h - calls the surface method (lib/surface/surface.h) for a grid; failures become
+ * messages. */
 #ifndef SURFACEFIT_H
 #define SURFACEFIT_H
 

@@ -15,8 +15,8 @@ typedef struct Report {
 
 void report_begin(Report *r, int json, int many);
 
-/* Add one pair.  A value of -1 is not defined: it is left out, and a table has "-" for it.  A table has no
- * columns for values that c does not request. */
+/* Add one pair.  A value of -1 is not defined: it is left out, and a table has "-" for it.  A
+ * table has no columns for values that c does not request. */
 void report_add(Report *r, const Compare *c, const double value[COMPARE_N]);
 
 /* Write all pairs to -o or stdout. */

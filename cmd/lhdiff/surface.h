@@ -19,8 +19,8 @@ typedef struct Surfaces {
 /* Open path ("-": stdin); its first bytes decide whether it is a stream of grids. */
 void surfaces_open(Surfaces *s, const char *path);
 
-/* The next surface and 1, or 0 at the end; dies if a mesh has no face with area or a grid has no channels
- * x y z. */
+/* The next surface and 1, or 0 at the end; dies if a mesh has no face with area or a grid has no
+ * channels x y z. */
 int  surfaces_next(Surfaces *s, Mesh *m);
 
 /* Does another surface follow?  To be asked after the first. */

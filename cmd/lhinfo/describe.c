@@ -26,7 +26,8 @@ range(const LhgChannel *c)
 	return r;
 }
 
-/* The lines of s (NULL: none) as JSON strings; with pairs, as "key": "value", split at the first space. */
+/* The lines of s (NULL: none) as JSON strings; with pairs, as "key": "value", split at the first
+ * space. */
 static void
 json_lines(FILE *f, const char *s, int pairs)
 {

@@ -7,7 +7,8 @@
 
 enum { SIDE = 128 };                    /* points on each side */
 
-/* Distances are root mean squares between the borders after the best rigid motion, in units of their size. */
+/* Distances are root mean squares between the borders after the best rigid motion, in units of
+ * their size. */
 static const double CLEAR = 1.5;        /* a fit is clearly better if the distance is less by this factor, */
 static const double FAR = 0.1;          /* provided that it was more than this; */
 static const double TURN = M_PI/3;      /* or if B is rotated less in space, by more than this angle */
@@ -30,8 +31,9 @@ sample(const Border *b, int first, double *x)
 		x[i] *= sqrt(4*SIDE)/sum;
 }
 
-/* The number k of quarter turns of the corners that fits best; among equally good ones, the one that rotates B
- * least in space.  If B is not aligned, k that need a much larger rotation than k = 0 are excluded. */
+/* The number k of quarter turns of the corners that fits best; among equally good ones, the one
+ * that rotates B least in space.  If B is not aligned, k that need a much larger rotation than
+ * k = 0 are excluded. */
 static int
 best_turn(const double rms[4], const double angle[4], int aligned)
 {

@@ -5,7 +5,8 @@
 #include "../../lib/grid/border.h"
 #include "cmd.h"
 
-/* The border from x y z, or if there is no x from band.x band.y band.z, with its arc lengths; or die. */
+/* The border from x y z, or if there is no x from band.x band.y band.z, with its arc lengths; or
+ * die. */
 void border_read(const CmdInput *in, const Lhg *g, Border *b);
 
 #endif

@@ -16,9 +16,9 @@
 void cmd_begin(const char *name, const char *usage);
 int  cmd_end(void);             /* closes the output; 0, or dies */
 
-/* "name: message" on one line of stderr, with '?' for each byte of control characters and each byte that is
- * not UTF-8.  die exits 1; misuse exits 2 and refers to --help.  note prints nothing under -q, detail only
- * under -v. */
+/* "name: message" on one line of stderr, with '?' for each byte of control characters and each
+ * byte that is not UTF-8.  die exits 1; misuse exits 2 and refers to --help.  note prints nothing
+ * under -q, detail only under -v. */
 _Noreturn void die(const char *fmt, ...);
 _Noreturn void misuse(const char *fmt, ...);
 void note(const char *fmt, ...);
@@ -59,7 +59,8 @@ int cmd_operands(int argc, char *argv[], int min, int max);
 double opt_double(const char *s, double lo, double hi, const char *option);
 long   opt_long(const char *s, long lo, long hi, const char *option);
 
-/* The index of s in a list of words, each ended by NUL, the list by one more; or exit 2 with the list. */
+/* The index of s in a list of words, each ended by NUL, the list by one more; or exit 2 with the
+ * list. */
 int    opt_word(const char *s, const char *words, const char *option);
 
 /* The FILE of -o, NULL for stdout. */
@@ -111,8 +112,8 @@ double *cmd_add(Lhg *g, const char *name, const char *unit, int support, int ste
 /* Set the value of key in the metadata; fmt as printf's. */
 void cmd_meta(Lhg *g, const char *key, const char *fmt, ...);
 
-/* A text in memory, written to the stream f.  After cmd_text_close it is bytes[0..n-1], to be freed.  Both
- * functions die if memory runs out; open_memstream would lose bytes instead. */
+/* A text in memory, written to the stream f.  After cmd_text_close it is bytes[0..n-1], to be
+ * freed.  Both functions die if memory runs out; open_memstream would lose bytes instead. */
 typedef struct CmdText {
 	FILE  *f;
 	char  *bytes;
@@ -124,8 +125,8 @@ void cmd_text_close(CmdText *t);
 /* malloc, or die with the size. */
 void *cmd_alloc(size_t n, size_t size);
 
-/* A line on stderr that replaces the one before: only on a terminal, without -q, and after the command has run
- * for a second.  cmd_progress_end wipes it. */
+/* A line on stderr that replaces the one before: only on a terminal, without -q, and after the
+ * command has run for a second.  cmd_progress_end wipes it. */
 void cmd_progress(const char *fmt, ...);
 void cmd_progress_end(void);
 

@@ -8,8 +8,8 @@
 
 #include "private.h"
 
-/* Whether to repeat a call that moved no byte.  If another process made the descriptor non-blocking, waits until
- * it is ready. */
+/* Whether to repeat a call that moved no byte.  If another process made the descriptor
+ * non-blocking, waits until it is ready. */
 static int
 again(int fd, short what)
 {
@@ -59,7 +59,8 @@ descriptor_stream(int fd, const char *mode)
 	return fopencookie((void *)(intptr_t)fd, mode, (cookie_io_functions_t){ read_some, write_all, NULL, close_descriptor });
 }
 
-/* Without this a file opened later would get one of these numbers, and results or messages would go into it. */
+/* Without this a file opened later would get one of these numbers, and results or messages would
+ * go into it. */
 int
 descriptor_fill(void)
 {

@@ -5,7 +5,8 @@
 #include "../../lib/meshfile/meshformat.h"
 #include "formats.h"
 
-/* Writes the list for the mark "{..}" at s to buf.  Returns the length of the mark, 0 if s begins with none. */
+/* Writes the list for the mark "{..}" at s to buf.  Returns the length of the mark, 0 if s begins
+ * with none. */
 static size_t
 list_at(const char *s, char buf[MESHFORMAT_LIST])
 {

@@ -4,7 +4,8 @@
 
 #include <stddef.h>
 
-/* Copies text to out, of n bytes, with these marks replaced by lists from the table of formats.  Returns out.
+/* Copies text to out, of n bytes, with these marks replaced by lists from the table of formats.
+ * Returns out.
  *
  *   {formats}     OFF, OBJ, PLY or STL      {ends}     .off .obj .ply or .stl
  *   {uv formats}  those with (u,v)          {uv ends}  theirs

@@ -41,8 +41,8 @@ history_none(void)
 }
 
 /* value in the quotes that a shell needs, in out, of 9 bytes for each of value's and 17 more.  Control
- * characters and bytes that are not UTF-8 are escapes of printf %b.  "$(..)" drops LFs at the end, so these are
- * taken from IFS, which is " \t\n" when a shell starts. */
+ * characters and bytes that are not UTF-8 are escapes of printf %b.  "$(..)" drops LFs at the end,
+ * so these are taken from IFS, which is " \t\n" when a shell starts. */
 static void
 quote(const char *value, char *out)
 {
@@ -137,8 +137,8 @@ oldest(const Line *l, size_t n)
 	return at;
 }
 
-/* Replaces the oldest lines of text by one line with the number of their steps and the CRC-32 of their bytes,
- * so that at most MOST bytes are left. */
+/* Replaces the oldest lines of text by one line with the number of their steps and the CRC-32 of
+ * their bytes, so that at most MOST bytes are left. */
 static void
 shorten(char *text)
 {

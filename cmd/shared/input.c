@@ -38,8 +38,9 @@ in_close(FILE *f)
 		fclose(f);
 }
 
-/* Reads the rest of f and closes it.  Returns all bytes, beginning with the *n bytes at head, which were read
- * before; *n is their number.  look, if not NULL, is called with the first 64 KiB of a longer input. */
+/* Reads the rest of f and closes it.  Returns all bytes, beginning with the *n bytes at head,
+ * which were read before; *n is their number.  look, if not NULL, is called with the first 64 KiB
+ * of a longer input. */
 static char *
 slurp(FILE *f, const char *name, CmdLook *look, const char *head, size_t *n)
 {

@@ -29,8 +29,8 @@ message_verbosity(int verbose)
 	message.verbose = verbose;
 }
 
-/* "name: text".  Control characters and bytes that are not UTF-8, from a file or an argument, must not reach
- * the terminal. */
+/* "name: text".  Control characters and bytes that are not UTF-8, from a file or an argument, must
+ * not reach the terminal. */
 static void
 print_safely(const char *fmt, va_list ap)
 {

@@ -76,7 +76,8 @@ open_temp(char *name)
 	return fd;
 }
 
-/* Writes the n bytes at rest, and a NUL, to to[dir..]; dies with path in the message if there is no room. */
+/* Writes the n bytes at rest, and a NUL, to to[dir..]; dies with path in the message if there is
+ * no room. */
 static void
 put_path(const char *path, char to[PATH_MAX], size_t dir, const char *rest, size_t n)
 {
@@ -121,8 +122,8 @@ temp_name(const char *path, char temp[PATH_MAX + 16])
 	strcat(temp, "XXXXXX");
 }
 
-/* Gives fd the mode and, where this process may, the owner and group of the file that it replaces.  If it may
- * not set the group, the group's permissions are cut to those of others. */
+/* Gives fd the mode and, where this process may, the owner and group of the file that it
+ * replaces.  If it may not set the group, the group's permissions are cut to those of others. */
 static int
 keep_access(int fd, const struct stat *was)
 {
@@ -135,8 +136,8 @@ keep_access(int fd, const struct stat *was)
 	return fchmod(fd, mode);
 }
 
-/* Opens a new file in the folder of o->path, with the permissions of the file it replaces (was), or if was is
- * NULL those of any new file. */
+/* Opens a new file in the folder of o->path, with the permissions of the file it replaces (was),
+ * or if was is NULL those of any new file. */
 static void
 open_beside(Out *o, const struct stat *was)
 {

@@ -19,8 +19,8 @@ void message_verbosity(int verbose);
 void history_begin(const char *name);
 
 /* Adds a word: dashes, word and equals as they are, value quoted for a shell.  An empty value is
- * quoted only where it is an operand.  A step of more than 3600 bytes ends in " ..." after the last word that
- * fits. */
+ * quoted only where it is an operand.  A step of more than 3600 bytes ends in " ..." after the
+ * last word that fits. */
 void history_word(const char *dashes, const char *word, const char *equals, const char *value);
 
 /* --no-history. */
@@ -36,8 +36,8 @@ char *history_with_step(const char *past);
 void cmd_close_output(void);    /* finish -o FILE or stdout, or die */
 void cmd_drop_output(void);     /* remove an incomplete file */
 
-/* The file that an output to path replaces, in to[PATH_MAX]: symbolic links are followed, dangling ones too.  Dies
- * if the links form a loop. */
+/* The file that an output to path replaces, in to[PATH_MAX]: symbolic links are followed, dangling
+ * ones too.  Dies if the links form a loop. */
 void output_follow_links(const char *path, char *to);
 
 /* ---- descriptor.c ---- */
@@ -46,9 +46,9 @@ void output_follow_links(const char *path, char *to);
  * would block, or that move only a part are continued. */
 FILE *descriptor_stream(int fd, const char *mode);
 
-/* Opens /dev/null in place of stdin, stdout and stderr if they are closed, so that no file opened later gets
- * their numbers.  stdin and stdout then fail when they are used; messages to stderr are lost.  Returns 0 or
- * -1. */
+/* Opens /dev/null in place of stdin, stdout and stderr if they are closed, so that no file opened
+ * later gets their numbers.  stdin and stdout then fail when they are used; messages to stderr are
+ * lost.  Returns 0 or -1. */
 int descriptor_fill(void);
 
 /* At most four threads for each processor, whatever OMP_NUM_THREADS: each has a stack. */

@@ -4,8 +4,8 @@
 
 #include "cmd.h"
 
-/* Dies if a coordinate of the positions x[c][k*stride], k < n, is beyond 1e60, or if the positions together are
- * less than 1e-60 wide. */
+/* Dies if a coordinate of the positions x[c][k*stride], k < n, is beyond 1e60, or if the positions
+ * together are less than 1e-60 wide. */
 void range_positions(const char *name, size_t n, int stride, const double *const x[3]);
 
 /* The height T of g: 1e-9 .. 1e9, or die. */
@@ -19,8 +19,8 @@ void range_lambda_h(const CmdInput *in, const Lhg *g, const double *lambda, cons
  * a coordinate spans more than a thousand times that. */
 void range_width(const CmdInput *in, const Lhg *g, const char *name);
 
-/* A field on the nodes of g, computed from channels, whose squares are summed: no value beyond 1e100, or
- * die.  what: its name in the message. */
+/* A field on the nodes of g, computed from channels, whose squares are summed: no value beyond
+ * 1e100, or die.  what: its name in the message. */
 void range_field(const CmdInput *in, const Lhg *g, const char *what, const double *f);
 
 /* A channel of g whose squares are summed: no sample beyond 1e100, or die. */

@@ -2,8 +2,9 @@
 #ifndef CMD_SAMEFILE_H
 #define CMD_SAMEFILE_H
 
-/* Whether outputs to a and b would replace the same file, which need not exist.  Symbolic links, dangling ones
- * too, "." and ".." are followed.  Two hard links are different, since an output replaces the name only. */
+/* Whether outputs to a and b would replace the same file, which need not exist.  Symbolic links,
+ * dangling ones too, "." and ".." are followed.  Two hard links are different, since an output
+ * replaces the name only. */
 int same_file(const char *a, const char *b);
 
 /* Whether path is the regular file that stdin or stdout, descriptor fd, is open on. */

@@ -22,7 +22,7 @@ int gridmesh_cell(const Mesh *m, int p, int nu, int tri[6]);
  * and v, by 1/1024 of the way, or more if that is too little.  The corners of the grid stay.
  *
  * single   in   coordinates are rounded to float and remain floats; all nodes that then coincide move,
- *               neighbours or not: in STL what coincides is joined
+ *               neighbours or not: readers of STL join what coincides
  * left     out  faces that have no area even so, and nodes that coincide in floats: the surface
  *               around is a line or a point, or its cells are smaller than the rounding of
  *               coordinates

@@ -5,7 +5,8 @@
 #include "gridmesh.h"
 #include "../mesh/repair.h"
 
-static const double FIRST = 1./1024, GROWTH = 2;        /* share of the way to the neighbours, by rounds */
+static const double FIRST = 1./1024, GROWTH = 2;        /* share of the way in the first
+                                                 * round, and its factor per round */
 enum { ROUNDS = 24 };
 
 typedef struct Nodes {

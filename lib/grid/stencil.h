@@ -26,8 +26,8 @@ Range  stencil_inner(Chart g, int axis);
 size_t stencil_inner_count(Chart g);
 int    stencil_is_inner(Chart g, int i, int j);
 
-/* The places whose stencils are complete and contain a node of the grid: the inner nodes, and the places
- * one step beyond joined sides. */
+/* The places whose stencils are complete and contain a node of the grid: the inner nodes, and the
+ * places one step beyond joined sides. */
 Range stencil_reach(Chart g, int axis);
 
 /* The node at (i,j), which may lie up to two steps beyond joined sides; *sign is multiplied
@@ -135,8 +135,8 @@ typedef struct Quad {
 	int    inside;          /* count is NODES, and all neighbours are nodes of the grid */
 } Quad;
 
-/* The lanes of f at places (i,j), (i+1,j), .., count of them.  Beyond a joined side the chart defines the node,
- * and if odd the sign of f there. */
+/* The lanes of f at places (i,j), (i+1,j), .., count of them.  Beyond a joined side the chart
+ * defines the node, and if odd the sign of f there. */
 void quad_beside(Chart g, const double *f, int i, int j, int count, int odd, double x[NODES]);
 
 INLINE void

@@ -70,8 +70,9 @@ typedef struct List {
 	int *edge, n;
 } List;
 
-/* Of the triangles of h and its twin g: the mesh edges across side `outer`, next to the start of
- * the new edge, that cross the new edge too.  Those that turn round the start do not. */
+/* Adds the mesh edges that enter the triangle of h by its side `outer` and cross the new edge.  A
+ * mesh edge that leaves this triangle by h crosses the new edge only if it leaves the triangle of
+ * the twin by side `turning`. */
 static void
 add_from_outer_side(const Intrinsic *t, int h, int outer, int turning, List *l)
 {

@@ -19,7 +19,7 @@ int crossings_flip(Intrinsic *t, int h);
  * only. */
 typedef struct Pieces {
 	int round[3];           /* number of pieces round each corner */
-	int start[3];           /* number of pieces that start at it; 0 at two corners at least */
+	int start[3];           /* number of pieces that start at each corner; > 0 at one at most */
 } Pieces;
 
 Pieces crossings_pieces(const Intrinsic *t, int triangle);

@@ -5,7 +5,7 @@
 #include "edgepoints.h"
 #include "places.h"
 
-static const double ON_SIDE = 1e-9;     /* barycentric coordinate that is set to 0, if it is below */
+static const double ON_SIDE = 1e-9;     /* smaller barycentric coordinates are set to 0 */
 
 static int
 add_point(EdgePoints *p, SurfacePoint point)

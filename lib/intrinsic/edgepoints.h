@@ -4,7 +4,7 @@
 
 #include "intrinsic.h"
 
-/* A growing list; begins as { 0 }.  point is to be freed. */
+/* A growing list; begins as { 0 }.  The caller frees point. */
 typedef struct EdgePoints {
 	SurfacePoint *point;
 	int           n, room;
@@ -14,8 +14,9 @@ typedef struct EdgePoints {
 int edgepoints_middles(const Intrinsic *t, const Disk *mesh, const unsigned char *marked,
 	EdgePoints *points);
 
-/* Adds the feet of obtuse angles opposite to boundary edges: mirrored there, the triangulation is not
- * Delaunay.  Returns 0 or INTRINSIC_ENOMEM. */
+/* Adds the feet of obtuse angles opposite to boundary edges, as points of these edges: with such an
+ * angle, the triangulation and its mirror image beyond the boundary are together not Delaunay.
+ * Returns 0 or INTRINSIC_ENOMEM. */
 int edgepoints_feet(const Intrinsic *t, EdgePoints *points);
 
 #endif

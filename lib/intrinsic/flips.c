@@ -12,9 +12,9 @@ static const double COCIRCULAR = 1e-10; /* two cotangents count as opposite if t
                                          * relative to them or to 1: either diagonal is Delaunay */
 static const double EQUAL = 1e-9;       /* relative difference of equal lengths, or keys */
 
-/* A side that gets another number. */
+/* The data of a side, while it gets another number. */
 typedef struct Moved {
-	int twin, edge, leads;  /* leads: its edge has its direction */
+	int twin, edge, leads;  /* leads: it gives its edge the direction */
 } Moved;
 
 static Moved
@@ -34,8 +34,8 @@ put_side(Intrinsic *t, int h, Moved m)
 		t->side[m.edge] = h;
 }
 
-/* The four outer sides of the quadrilateral of an edge move up by one.  Two of them may be twins
- * of each other. */
+/* Renumbers the four outer sides of the quadrilateral of an edge: old[i] becomes new[i].  Two of
+ * them may be twins of each other. */
 static void
 turn_outer_sides(Intrinsic *t, const int old[4], const int new[4])
 {
@@ -148,7 +148,7 @@ flip_all(Intrinsic *t, const double *key, Stack *s)
 	return 0;
 }
 
-/* intrinsic_delaunay by flips of the edges that are not fixed.  fixed: [ne], or NULL: none is. */
+/* Makes t Delaunay by flips of the edges that are not fixed.  fixed: [ne], NULL if no edge is. */
 static int
 delaunay(Intrinsic *t, const double *key, const unsigned char *fixed)
 {

@@ -15,16 +15,16 @@ enum { INTRINSIC_ENOMEM = -1 };
 #define INTRINSIC_FINEST   1e-10
 #define INTRINSIC_SHORTEST 1e-9
 
-/* Side 3*t + k of triangle t runs from its corner k to the next.  An edge has the direction of its
- * side. */
+/* Side 3*t + k of triangle t runs from its corner k to the next.  An edge has the direction of
+ * side[edge]. */
 typedef struct Intrinsic {
 	int     nv, nf, ne;
 	int    *from;           /* [3*nf] the vertex at which a side starts */
 	int    *twin;           /* [3*nf] the side across, -1 on the boundary */
-	int    *edge;           /* [3*nf] */
-	int    *side;           /* [ne] */
-	double *length;         /* [ne] */
-	int    *mesh_side;      /* [ne] of each edge of the mesh: its side in the disk */
+	int    *edge;           /* [3*nf] the edge of a side */
+	int    *side;           /* [ne] the side that gives an edge its direction */
+	double *length;         /* [ne] in units of the longest edge of the mesh */
+	int    *mesh_side;      /* [ne] a side of each edge of the mesh, as the disk numbers it */
 	int    *mesh_from;      /* [ne] the vertex at which that side starts */
 	int    *along;          /* [ne] the edge of the mesh that this edge is, or -1 */
 	int   **crossing;       /* [ne] the edges of the mesh that cross this one, from its start; or

@@ -13,7 +13,7 @@ typedef struct Step {
 	double complex end, start;
 } Step;
 
-/* A mesh edge through the triangles that it crosses, from vertex 0 of the plane. */
+/* A mesh edge and the triangles that it crosses, unfolded into the plane; it starts at 0. */
 typedef struct Strand {
 	Step          *step;
 	int            n, room;

@@ -11,7 +11,7 @@
 typedef struct Places {
 	size_t *first;          /* [ne+1] */
 	double *on_mesh;        /* 0..1 from the start of the mesh edge, as its mesh_side has it */
-	double *on_edge;        /* 0..1 from the start of the edge of the triangulation; not falling */
+	double *on_edge;        /* 0..1 from the start of the edge of the triangulation; ascending */
 } Places;
 
 /* Unfolds the triangles along each edge of the mesh into the plane.  Returns 0 or INTRINSIC_ENOMEM; p

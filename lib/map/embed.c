@@ -8,7 +8,7 @@
 #include "embed.h"
 #include "harmonic.h"
 
-enum { ROUNDS = 12, FEET = 4 };         /* of splitting at most: all, those with feet of obtuse angles */
+enum { ROUNDS = 12, FEET = 4 };         /* rounds of splitting at most; the first FEET add feet, too */
 static const double EQUAL = 1e-6;       /* relative difference of two numbers that differ by
                                          * rounding only */
 
@@ -23,7 +23,7 @@ collapses(const Intrinsic *t, const unsigned char *side, int e)
 	return t->twin[t->side[e]] >= 0 && (end[0] == end[1] || (side[end[0]] & side[end[1]]));
 }
 
-/* The edges at each vertex, as their lower end: those of vertex i are at[first[i]] .. at[first[i+1]-1].
+/* Sorts the edges by their lower end: those of vertex i are at[first[i]] .. at[first[i+1]-1].
  * first: [nv+2]. */
 static void
 sort_by_lower_end(const Intrinsic *t, int *first, int *at)
@@ -100,7 +100,7 @@ find_corners(Embeddable *s)
 				s->corner[k] = i;
 }
 
-/* The Delaunay triangulation of the mesh as it is, and the points that it still needs. */
+/* Makes the Delaunay triangulation of the present mesh, and lists the points to be added next. */
 static int
 triangulate(Embeddable *s, int feet, EdgePoints *points)
 {

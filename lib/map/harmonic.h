@@ -18,7 +18,7 @@ void harmonic_sides(const Disk *d, const int corner[4], unsigned char *side);
 /* A matrix whose rows sum to 0, and its factor. */
 typedef struct Harmonic {
 	const Graph         *g;
-	const double        *off;       /* the entries, as CholMatrix has them */
+	const double        *off;       /* the entries off the diagonal, in the order of CholMatrix */
 	double              *diagonal;  /* [g->n] */
 	Chol                 chol;      /* of g */
 	const unsigned char *side;      /* [g->n] */

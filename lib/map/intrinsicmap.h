@@ -1,8 +1,8 @@
 /* intrinsicmap.h - the conformal map of any disk onto a rectangle, with no triangle turned over.
  *
  * The harmonic functions are solved on the intrinsic Delaunay triangulation of the surface
- * (../intrinsic).  Its cotangent weights are not negative, and non-negative weights make a harmonic
- * map onto a rectangle with mirrors for sides an embedding (doc/mathematics.md 3.6).
+ * (../intrinsic).  Its cotangent weights are not negative.  With such weights the harmonic map onto
+ * a rectangle, continued by reflection in the sides, is an embedding (doc/mathematics.md 3.6).
  */
 #ifndef INTRINSICMAP_H
 #define INTRINSICMAP_H
@@ -15,7 +15,7 @@ enum { INTRINSICMAP_CROSSINGS = 4 };
 /* Edges are split until the triangulation can be embedded, and then where the certificate is largest,
  * until it is at most options->tolerance, options->most vertices are reached, or
  * INTRINSICMAP_CROSSINGS times as many places where edges of the mesh cross those of the
- * triangulation: round a hub there are many more of these than vertices.
+ * triangulation: near a vertex with many edges there are far more of these than vertices.
  *
  * vertex: the corners, as vertex numbers.  Returns 0, or SPD_ENOMEM, SPD_EINDEFINITE,
  * SPD_ELARGE; on an error m holds nothing to free. */

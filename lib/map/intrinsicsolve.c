@@ -11,8 +11,8 @@
 enum { STRAIGHTENED = 6 };              /* solves with quadratic elements, at most */
 static const double FLAT = 1e-14;       /* area, of that of the rectangle, that is 0 up to rounding */
 
-/* By the maximum principle only the two sides have the values 0 and 1.  Rounding may give them to other
- * vertices: these are moved inside. */
+/* By the maximum principle only the two held sides have the values 0 and 1.  Where rounding leads to
+ * them, or beyond, at other vertices, the nearest value between is taken. */
 static void
 keep_inside(int n, const unsigned char *side, int held, double *x)
 {

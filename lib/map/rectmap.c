@@ -7,7 +7,7 @@
 #include "harmonic.h"
 #include "rectmap.h"
 
-enum { NUMBERS = 40 };  /* per vertex, about: the matrix and its order */
+enum { NUMBERS = 40 };  /* per vertex, about, for the matrix and its elimination order */
 
 /* What both systems share. */
 typedef struct System {

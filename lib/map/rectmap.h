@@ -27,7 +27,7 @@
  * u, v       out  [nv] of each vertex, 0 <= v <= T on the sides
  * report     out  the bytes of the factor, 0 if not known; on SPD_EINDEFINITE the vertex
  *
- * The same bits for any number of threads; two work well.
+ * The result has the same bits for any number of threads.
  *
  * Returns 0, or one of SPD_ENOMEM, SPD_EINDEFINITE, SPD_ELARGE. */
 int rectmap(const Disk *d, const Disk *coarse, const int corner[4], double *u, double *v, double *T,

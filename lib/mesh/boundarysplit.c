@@ -28,7 +28,7 @@ longest_side(const Disk *d)
 	return side;
 }
 
-/* The channels and the file numbers of d, with those of the new vertex. */
+/* Extends the channels and the file numbers of d to the new vertex. */
 static int
 extend_numbers(const Subdivision *s, Disk *d)
 {

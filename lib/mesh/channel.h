@@ -7,16 +7,17 @@
 /* The channel of that name, or NULL. */
 Channel *channel_find(const Channels *c, const char *name);
 
-/* Its values, or NULL. */
+/* The values of the channel of that name, [nv][n], or NULL. */
 double *channel_values(const Channels *c, const char *name);
 
 /* A channel of n numbers at each of nv vertices: the one of that name, or a new one with room for
  * them.  name has fewer than CHANNEL_NAME characters.  Returns the values, which are not set, or
- * NULL without memory; the channels there were then stay. */
+ * NULL if memory runs out; the channels are then unchanged. */
 double *channel_add(Channels *c, const char *name, int n, size_t nv);
 
-/* Copies all channels of `from` to nv other vertices: new vertex i gets the values of old vertex vertex[i], or
- * `none` if that is -1.  `to` must be empty.  Returns 0, or MESH_ENOMEM, and `to` is empty. */
+/* Copies all channels of `from` to nv other vertices: new vertex i gets the values of old vertex
+ * vertex[i], or `none` if that is -1.  `to` must be empty.  Returns 0, or MESH_ENOMEM; `to` is then
+ * still empty. */
 int channels_gather(Channels *to, const Channels *from, int nv, const int *vertex, double none);
 
 void channels_free(Channels *c);

@@ -50,8 +50,8 @@ checkfinite(const Soup *s, char *err)
 	return 0;
 }
 
-/* Renumbers the vertices: vertex v becomes to[v] < nnew, or is dropped if to[v] is -1.  Where several become
- * one, the first gives position, channels and number in the file. */
+/* Renumbers the vertices: vertex v becomes to[v] < nnew, or is dropped if to[v] is -1.  Where
+ * several become one, the first gives position, channels and number in the file. */
 static void
 renumber(Disk *d, const int *to, int nnew)
 {

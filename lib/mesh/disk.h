@@ -18,10 +18,10 @@
  * nothing to free. */
 int disk_from_soup(Disk *d, const Soup *s);
 
-/* The faces of a soup that need not be a disk, for what asks no more than a mesh: repaired and numbered as
- * above, but faces that cannot be split into triangles of some area are left out (d->note has their
- * number and the first of them), none is turned, and nothing is checked except that corners are in range,
- * coordinates are finite and a face is left.  loop and twin are NULL.
+/* The faces of a soup, for uses that need no disk: repaired and numbered as above, but faces that
+ * cannot be split into triangles of some area are left out (d->note has their number and the first
+ * of them), none is turned, and nothing is checked except that corners are in range, coordinates
+ * are finite and a face is left.  loop and twin are NULL.
  *
  * Returns 0, MESH_ENOMEM, MESH_EINDEX, MESH_EVALUE, MESH_EFACE or MESH_EDISK, as above. */
 int disk_loose(Disk *d, const Soup *s);

@@ -5,7 +5,8 @@
 #include "polypriv.h"
 #include "../base/vec3.h"
 
-/* Twice the vector area over size squared, as the sum of cross products of the triangles at corner 0. */
+/* Twice the vector area over size squared, as the sum of cross products of the triangles at corner
+ * 0. */
 static void
 vectorarea(const Polygon *p, double size, double side[3])
 {

@@ -37,7 +37,8 @@ typedef struct Channels {
 	Channel *channel;       /* [n] */
 } Channels;
 
-/* Polygons as a file has them.  Face f has the corners idx[first[f]] .. idx[first[f+1]-1]. */
+/* Polygons as a file has them; lengths are in the unit of the file.  Face f has the corners
+ * idx[first[f]] .. idx[first[f+1]-1]. */
 typedef struct Soup {
 	int     nv, nf;
 	double *xyz;            /* [nv][3] */

@@ -27,7 +27,8 @@ triangle(Polygon *p)
 	return polygon_has_area(polygon_at(p, 0), polygon_at(p, 1), polygon_at(p, 2));
 }
 
-/* The smaller of the shapes of triangles i i+1 i+2 and i i+2 i+3, measured along the normal of the quad. */
+/* The smaller of the shapes of triangles i i+1 i+2 and i i+2 i+3, measured along the normal of the
+ * quad. */
 static double
 smaller_shape(const Polygon *p, int i, const double side[3])
 {
@@ -38,8 +39,8 @@ smaller_shape(const Polygon *p, int i, const double side[3])
 	return fmin(dot3(m, side), dot3(n, side));
 }
 
-/* Splits by the diagonal for which the smaller of the two shapes is larger.  The cross product of the diagonals
- * is the normal of both splits of a flat quad. */
+/* Splits by the diagonal for which the smaller of the two shapes is larger.  The cross product of
+ * the diagonals is the normal of both splits of a flat quad. */
 static int
 quad(Polygon *p)
 {
@@ -95,7 +96,8 @@ check_corners(const Soup *s, int f, int *mark, char *err)
 	return 0;
 }
 
-/* A soup being split.  Faces that cannot be split are left out if some is set; else the first ends the work. */
+/* A soup being split.  Faces that cannot be split are left out if `some` is set;
+ * otherwise the first of them ends the work. */
 typedef struct Splitting {
 	const Soup *s;
 	int   some, out;
@@ -103,7 +105,7 @@ typedef struct Splitting {
 	char *err;              /* [MESH_ERRLEN] the first fault */
 } Splitting;
 
-/* Takes the fault e of face f: returns it, or 0 if the face is left out. */
+/* Records that face f has the error e.  Returns e, or 0 if the face is left out. */
 static int
 leave_out(Splitting *w, int f, int e, const char *reason)
 {

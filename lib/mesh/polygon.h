@@ -12,8 +12,8 @@
  * corner twice, or triangles without area (below 1e-14 of the longest edge squared). */
 int polygon_split(const Soup *s, int **tri, int *ntri, char err[MESH_ERRLEN]);
 
-/* The same, but faces with such a fault are left out: their number in *out, the first in err.  Returns 0
- * or MESH_ENOMEM. */
+/* The same, but faces with such a fault are left out: their number in *out, the first in err.
+ * Returns 0 or MESH_ENOMEM. */
 int polygon_split_some(const Soup *s, int **tri, int *ntri, int *out, char err[MESH_ERRLEN]);
 
 /* Whether the triangle a b c has area, as a face of a soup must: 1e-14 of its longest edge squared. */

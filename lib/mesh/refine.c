@@ -12,7 +12,7 @@
 typedef struct Split {
 	const Disk *d;
 	Topology    t;
-	int         similar;    /* all faces, into four similar ones */
+	int         similar;    /* 1: all faces are split into four similar ones */
 	int        *mid;        /* [3*nf] new vertex on each side; -1: not cut, CUT: to be numbered */
 	int        *stack, depth;       /* faces whose longest side may need a cut */
 	int        *part;       /* [3*nf][2] new side that a side becomes, or its first and second half */
@@ -242,7 +242,8 @@ join_across_old_sides(Split *s)
 	}
 }
 
-/* The loop with the new boundary vertices.  next[v] is the new vertex after boundary vertex v, or -1. */
+/* The loop with the new boundary vertices.  next[v] is the new vertex after boundary vertex v, or
+ * -1. */
 static int
 emit_loop(const Split *s, Disk *finer)
 {

@@ -4,10 +4,11 @@
 
 #include "mesh.h"
 
-/* Split the marked faces ([nf], 1 or 0) into four, and their neighbours as far as a conforming mesh needs it,
- * by longest-edge bisection (Rivara): no angle becomes smaller than half of the smallest before, and obtuse
- * angles are cut.  If marked is NULL, all faces are split into four similar ones.  Old vertices keep number and
- * position.  New ones are midpoints of edges, numbered after the old; their channels are means of both ends.
+/* Split the marked faces ([nf], 1 or 0) into four, and their neighbours as far as a conforming
+ * mesh needs it, by longest-edge bisection (Rivara): no angle becomes smaller than half of the
+ * smallest before, and obtuse angles are cut.  If marked is NULL, all faces are split into four
+ * similar ones.  Old vertices keep number and position.  New ones are midpoints of edges, numbered
+ * after the old; their channels are means of both ends.
  *
  * finer  out  a disk of the same surface (its note and err are ""); disk_free it
  *

@@ -3,7 +3,7 @@
 
 #include "sortpoints.h"
 
-/* The point on that side of its edge that has the lower number. */
+/* The same point, given on the side of its edge with the lower number. */
 static EdgePoint
 seen_from_lower(const Disk *d, EdgePoint p)
 {

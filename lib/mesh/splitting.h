@@ -8,7 +8,7 @@
  * after the other; the part with the points that remain is known by one of its sides. */
 typedef struct Splitting {
 	Disk *d;
-	unsigned char *inner;   /* of the subdivision */
+	unsigned char *inner;   /* [3*nf] of Subdivision */
 	int  *line;             /* [3*nf] the number of the next point on this side, or -1 */
 	int  *side;             /* [points] the side that has the point now */
 	int  *after;            /* [nv] the next vertex of the boundary, of those on it */

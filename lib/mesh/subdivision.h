@@ -31,7 +31,7 @@ SurfacePoint subdivision_on_side(int side, double place);
 
 /* Adds the points to s as vertices, one after the other.  At a point within a triangle, the
  * triangle is split into three; at a point on an edge, its two triangles are split into two.  The
- * new triangles can be as thin as one likes.  Equal points of a side, and points at a vertex, are
+ * new triangles may be arbitrarily thin.  Equal points of a side, and points at a vertex, are
  * dropped.
  *
  * n, point  in   of s->d

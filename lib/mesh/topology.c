@@ -12,8 +12,9 @@ prev(int side)
 	return side % 3 == 0 ? side + 2 : side - 1;
 }
 
-/* Decides whether the neighbours of face f are turned, and appends those not decided before to queue.  A
- * neighbour is turned like f if the common edge runs in opposite directions in the two faces. */
+/* Decides whether the neighbours of face f are turned, and appends those not decided before to
+ * queue.  A neighbour is turned like f if the common edge runs in opposite directions in the two
+ * faces. */
 static int
 orient_neighbours(const Topology *t, int f, signed char *turn, int *queue, int *end)
 {
@@ -128,7 +129,8 @@ topology_fans(const Topology *t)
 	return e;
 }
 
-/* Sets out[v] to the boundary side that starts at v, or -1.  With one fan at each vertex there is at most one. */
+/* Sets out[v] to the boundary side that starts at v, or -1.  With one fan at each vertex there is
+ * at most one. */
 static int
 boundary_sides(const Topology *t, int *out)
 {

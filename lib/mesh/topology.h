@@ -24,17 +24,19 @@ typedef struct Topology {
 int topology_twins(Topology *t);
 
 /* Find the faces to turn so that neighbours agree: in each component those that disagree with
- * its first face.  turn is [nf], 1 to turn, 0 not.  0, MESH_ENOMEM, or MESH_EORIENT: impossible. */
+ * its first face.  turn is [nf], 1 to turn, 0 not.  Returns 0, MESH_ENOMEM, or MESH_EORIENT if this is
+ * impossible. */
 int topology_orient(const Topology *t, signed char *turn);
 
 /* Check that there is one component; vertices of one face are connected.  Every vertex must belong
- * to a face.  0, MESH_ENOMEM or MESH_EDISK. */
+ * to a face.  Returns 0, MESH_ENOMEM or MESH_EDISK. */
 int topology_connected(const Topology *t);
 
-/* Check that every vertex has one fan of faces.  Needs odd == 0.  0, MESH_ENOMEM or MESH_EMANIFOLD. */
+/* Check that every vertex has one fan of faces.  Needs odd == 0.  Returns 0, MESH_ENOMEM or
+ * MESH_EMANIFOLD. */
 int topology_fans(const Topology *t);
 
-/* The one boundary loop, as in Disk.  Needs all checks above.  0, MESH_ENOMEM, or
+/* The one boundary loop, as in Disk.  Needs all checks above.  Returns 0, MESH_ENOMEM, or
  * MESH_EDISK: no loop, several, or handles. */
 int topology_loop(const Topology *t, int **loop, int *nb);
 

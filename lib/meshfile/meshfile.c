@@ -112,7 +112,7 @@ meshfile_plausible(const void *head, size_t n, size_t most, char err[MESH_ERRLEN
 	const int open = m.word.s + m.word.n == m.p + m.n && m.word.n < LONGEST_WORD;
 
 	if (m.word.n == 0 || open)
-		return 0;                       /* too early to say */
+		return 0;                       /* more bytes are needed to decide */
 	return choose(&m, err) ? 0 : MESH_EFORMAT;
 }
 

@@ -48,7 +48,8 @@ meshformat_of(const char *file)
 	return NULL;
 }
 
-/* The list "A, B or C" of the formats that have all flags of can: their names, or the ends of their file names. */
+/* The list "A, B or C" of the formats that have all flags of can: their names, or the ends of
+ * their file names. */
 static char *
 list(unsigned can, const char *comma, const char *word, int ends, char buf[MESHFORMAT_LIST])
 {

@@ -34,7 +34,8 @@ typedef struct MeshFormat {
 /* Row i, or NULL after the last.  Row 0 is what a program writes to stdout. */
 const MeshFormat *meshformat(int i);
 
-/* The format to write to a file of this name, known by the end of the name in upper or lower case, or NULL. */
+/* The format to write to a file of this name, known by the end of the name in upper or lower case,
+ * or NULL. */
 const MeshFormat *meshformat_of(const char *file);
 
 /* Lists of the formats that have all flags of can, for usage texts and messages: "OFF, OBJ or PLY" with

@@ -58,7 +58,8 @@ int soup_face(Reader *r);
 void soup_trim(Reader *r);
 
 /* Check the count of records in a header against the bytes left, which have room for `room` records: 0
- * or MESH_EFORMAT.  soup_truncated returns MESH_EFORMAT with the message that the file ends in record i. */
+ * or MESH_EFORMAT.  soup_truncated returns MESH_EFORMAT with the message that the file ends in
+ * record i. */
 int soup_check_count(Reader *r, const char *what, long long count, size_t room);
 int soup_truncated(Reader *r, const char *what, long long i, long long count);
 
@@ -66,11 +67,11 @@ int soup_truncated(Reader *r, const char *what, long long i, long long count);
  * MESH_EVALUE. */
 int uv_modulus(Reader *r);
 
-/* Make the channel MESH_UV for nv vertices, or s->nv if that is more, all (-1,-1).  0 or
+/* Make the channel MESH_UV for nv vertices, or s->nv if that is more, all (-1,-1).  Returns 0 or
  * MESH_ENOMEM. */
 int uv_start(Reader *r, size_t nv);
 
-/* Check that every (u,v) is finite.  0 or MESH_EVALUE. */
+/* Check that every (u,v) is finite.  Returns 0 or MESH_EVALUE. */
 int uv_check(const Reader *r);
 
 /* The beginning of a file, to recognise its format: its first n bytes, its first word after comments,

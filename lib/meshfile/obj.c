@@ -99,8 +99,8 @@ texture(Obj *o)
 	return 0;
 }
 
-/* *i is the place, counted from 0, that OBJ index a refers to: a counts from 1, or is negative and counts
- * back from the n items so far.  A positive index may refer to an item further down. */
+/* *i is the place, counted from 0, that OBJ index a refers to: a counts from 1, or is negative and
+ * counts back from the n items so far.  A positive index may refer to an item further down. */
 static int
 index_from_0(Reader *r, Token a, int n, const char *things, long long *i)
 {

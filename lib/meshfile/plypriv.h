@@ -38,8 +38,8 @@ typedef struct Ply {
 /* Read up to the first byte of the data.  Returns 0 or MESH_EFORMAT. */
 int ply_header(Ply *p);
 
-/* The least size of a record of e in bytes.  In ASCII it is two for each value, a digit and a blank; only the
- * last value of a file may have no blank. */
+/* The least size of a record of e in bytes.  In ASCII it is two for each value, a digit and a
+ * blank; only the last value of a file may have no blank. */
 size_t ply_least(const Ply *p, const PlyElem *e);
 
 #endif

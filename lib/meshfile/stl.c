@@ -13,7 +13,7 @@ binary_size(const char *p, size_t n)
 }
 
 /* Binary files are known by their size, since many begin with "solid" as well.  Binary data
- * with a believable count but another size are a damaged STL rather than something else. */
+ * with a believable count but another size count as a damaged STL. */
 int
 stl_recognise(const MeshStart *m)
 {

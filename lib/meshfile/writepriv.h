@@ -23,7 +23,7 @@ void text_bytes(Text *t, uint64_t w, int n);
 void text_words(Text *t, const char *s);
 void text_int(Text *t, int i);
 
-/* Append nv lines of n numbers each, with a word before them.  0 or MESH_ENOMEM. */
+/* Append nv lines of n numbers each, with a word before them.  Returns 0 or MESH_ENOMEM. */
 int text_lines(Text *t, const double *x, int nv, int n, const char *before);
 
 /* Append "lhgrid T 0.91" after the word that begins a comment, if s has (u,v) and T. */
@@ -33,7 +33,7 @@ void text_modulus(Text *t, const Soup *s, const char *before);
  * triangles. */
 int text_corners(const Soup *s, int f, const int **v);
 
-/* For each format: append all of the file.  0, MESH_ENOMEM, MESH_EVALUE or MESH_EFACE. */
+/* For each format: append all of the file.  Returns 0, MESH_ENOMEM, MESH_EVALUE or MESH_EFACE. */
 int off_write(Text *t, const Soup *s);
 int obj_write(Text *t, const Soup *s);
 int ply_write(Text *t, const Soup *s);

@@ -8,7 +8,7 @@ blend(size_t n, double t, const double *a, const double *b, double *f)
 {
 	size_t p;
 
-	if (t == 0 || t == 1) {                                 /* also the sign of 0 */
+	if (t == 0 || t == 1) {                                 /* keeps the sign of 0, too */
 		memcpy(f, t == 0 ? a : b, n*sizeof *f);
 		return;
 	}

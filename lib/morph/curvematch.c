@@ -7,7 +7,7 @@
 #include "curvematch.h"
 #include "../base/procrustes.h"
 
-static const double ROUNDING = 1e-13;   /* in norms - 2 gain, relative to norms */
+static const double ROUNDING = 1e-13;   /* error of norms - 2 gain, relative to norms */
 
 /* The workspace of one problem, and its plans. */
 typedef struct Correlation {

@@ -66,7 +66,7 @@ planelaplace_init(PlaneLaplace *p, Chart g, int axis)
 	return e;
 }
 
-/* B is the basis of sines and cosines, orthogonal with the weights W, 1/2 at free ends and 1 else.
+/* B is the basis of sines and cosines, orthogonal with the weights W, 1/2 at free ends and 1 elsewhere.
  * Then P = W B Lambda B^-1 and z = B Lambda^-1 B' r, up to norms.  FFTW's transforms double inner
  * terms, so r is halved first in each direction, but not at free ends. */
 void

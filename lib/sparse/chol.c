@@ -84,7 +84,7 @@ store_nodes(Chol *c, const Node *node, int nodes)
 	return 0;
 }
 
-/* The rows below each node, in rising order.  For each entry of row p, p is added to the node of the
+/* The rows below each node, in ascending order.  For each entry of row p, p is added to the node of the
  * entry's column and to its ancestors below the node of p.  mark and node are [n] scratch: the last
  * row added to a node, and the node of each column.  end[s] is where the rows of node s end so far. */
 static void

@@ -18,7 +18,7 @@ enum {
 /* The structure of the factor, which depends on the graph and the order only, and memory for its
  * numbers.  Columns are in postorder; neighbouring ones with nearly the same rows form a node.
  * Node s has the columns first[s] .. first[s+1]-1, and below them the rows row[below[s]] ..
- * row[below[s+1]-1], in rising order. */
+ * row[below[s+1]-1], in ascending order. */
 typedef struct Chol {
 	const Graph *g;
 	int     n, nodes;

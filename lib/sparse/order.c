@@ -132,8 +132,8 @@ extract_halves(const Piece *p, const signed char *side, const int count[3], int 
 	return e ? e : extract(p, side, CUT_RIGHT, work, count[1], &half[1]);
 }
 
-/* Splits p in two, puts the separator at the end of its order, and frees p.  Without a small separator all of p is
- * ordered, and the halves are empty. */
+/* Splits p in two, puts the separator at the end of its order, and frees p.  Without a small
+ * separator all of p is ordered, and the halves are empty. */
 static int
 split_piece(Piece *p, Piece half[2])
 {

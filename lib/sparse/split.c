@@ -180,8 +180,9 @@ count_sides(const signed char *side, int n, int count[3])
 		count[(int)side[i]]++;
 }
 
-/* Makes a separator of the hubs, and one side of all other vertices.  Shortest paths lead through a hub, so that
- * f1 and f2 are constant on large parts beside it.  Returns 0 if there is no hub, or if there are too many. */
+/* Makes a separator of the hubs, and one side of all other vertices.  Shortest paths lead through
+ * a hub, so that f1 and f2 are constant on large parts beside it.  Returns 0 if there is no hub,
+ * or if there are too many. */
 static int
 split_off_hubs(const Graph *g, signed char *side, int count[3])
 {
@@ -194,8 +195,8 @@ split_off_hubs(const Graph *g, signed char *side, int count[3])
 	return count[CUT_SEPARATOR] > 0 && count[CUT_SEPARATOR] <= sqrt(g->n);
 }
 
-/* Makes sides of whole components, without a separator.  If there is one component, returns 0, and *far is a vertex
- * far from vertex 0. */
+/* Makes sides of whole components, without a separator.  If there is one component, returns 0, and
+ * *far is a vertex far from vertex 0. */
 static int
 split_components(const Graph *g, signed char *side, int count[3], int *far, int *work)
 {

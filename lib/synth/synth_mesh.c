@@ -19,7 +19,8 @@ static const double SPACING = 1.18;
 /* Points inside per area of one least distance squared: 0.81 was measured on a plain square. */
 static const double PACKING = 0.80;
 
-/* The data of ScatterRule: the mesh of the surface is even if the points in the plane are r/scale apart. */
+/* The data of ScatterRule: the mesh of the surface is even if the points in the plane are r/scale
+ * apart. */
 typedef struct Plan {
 	const Synth *s;
 	SynthDomain  d;
