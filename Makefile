@@ -10,7 +10,7 @@
 #   make compile_commands.json    for editors
 #   make check-untracked      fails if a test left a file, or a stray one is tracked
 #   make coverage             lines that the tests run, by file (minutes)
-#   make soak                 what make check takes a share of, whole (minutes)
+#   make soak                 in full the tests that make check only samples (minutes)
 #   make fuzz FUZZ_SECONDS=60 hostile inputs, so long for each target (clang)
 #   make paper                the paper's tables and figures on our surfaces, build/paper/report.md (minutes)
 
@@ -20,7 +20,7 @@ CMD = mesh2rect grid2lh lhfft lhinterp lh2grid grid2mesh lhinfo lhdiff mkmesh
 
 BUILD    := build$(if $(SANITIZE),/$(SANITIZE))
 export BUILD
-# Unit tests wait as the commands do, cmd/shared/threads.c.
+# Unit tests get the spin count of the commands, cmd/shared/threads.c.
 export GOMP_SPINCOUNT := 3000
 
 ALL_CPPFLAGS := -D_XOPEN_SOURCE=700 -MMD -MP $(CPPFLAGS)
@@ -39,7 +39,7 @@ BIN      := $(CMD:%=$(BUILD)/bin/%)
 TESTSRC  := $(filter-out tests/fault.c tests/disks.c,$(wildcard tests/*.c))
 TESTBIN  := $(TESTSRC:%.c=$(BUILD)/%)
 UNIT     := $(filter $(BUILD)/tests/test_%,$(TESTBIN))
-# Every file of tests/fuzz/ but those that all targets share, so each mesh format with a file there.
+# The targets: the files of tests/fuzz/, except those that all targets share.
 FUZZ     := $(filter-out memory mesh replay,$(basename $(notdir $(wildcard tests/fuzz/*.c))))
 FUZZBIN  := $(FUZZ:%=$(BUILD)/tests/fuzz/%)
 FUZZMAIN := $(BUILD)/tests/fuzz/replay.o
@@ -104,7 +104,7 @@ $(LIBOBJ): ALL_CFLAGS += $(LIBCFLAGS) $(COVER)
 
 $(LIB): $(LIBOBJ)
 $(CMDLIB): $(SHARED)
-# Thin: the names of the objects, in place of copies.
+# Thin archives hold the names of the objects, not copies.
 $(LIB) $(CMDLIB):
 	rm -f $@
 	$(AR) rcT $@ $^
@@ -117,7 +117,7 @@ $(BUILD)/%.o: %.cc config.mk
 	@mkdir -p $(@D)
 	$(CXX) $(ALL_CPPFLAGS) $(ALL_CXXFLAGS) -c -o $@ $<
 
-# A product and its sum are one instruction where the processor has it.
+# Multiplication and addition are one instruction where the processor has one for both.
 $(BUILD)/lib/sparse/product.o: ALL_CFLAGS += -ffp-contract=fast
 
 # Several nodes at a time, whatever CFLAGS say.

@@ -118,7 +118,7 @@ claim_map(const char *name, const Disk *d, Chart g, const ConformalOptions *o)
 		claim_possible(name, "the map", o->map.most, PER_VERTEX + INTRINSICMAP_CROSSINGS*PER_CROSSING);
 }
 
-/* A boundary of three vertices has no four corners. */
+/* Splits an edge of a boundary of three vertices, since four corners are needed. */
 static void
 add_corner(const char *name, Disk *d)
 {

@@ -122,7 +122,7 @@ setup_file() {
 }
 
 @test "corners: by number, by point, by file, and what is wrong with them" {
-	# corner K of the cap's box: its vertices 0 1 2 3 stand at -135, -45, 45, 135 degrees
+	# corner K of the cap's box: its vertices 0 1 2 3 are at -135, -45, 45, 135 degrees
 	points=$(awk 'NR > 2 && NR <= 6 { printf "%s%.4f,%.4f,%.4f", (NR > 3 ? ";" : ""), $1, $2, $3 }' "$tmp/cap.off")
 	printf '0 1\n2,3\n' >"$tmp/corners"
 	echo "$points" | tr ';,' '\n ' >"$tmp/points"

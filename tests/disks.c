@@ -1,4 +1,4 @@
-/* disks.c - plane domains triangulated by Delaunay, then torn out of the plane. */
+/* disks.c - plane domains triangulated by Delaunay, then bent into space. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@
 
 enum { ROOM = 8000 };           /* vertices at most */
 
-/* A mesh in the making. */
+/* A mesh under construction. */
 typedef struct Made {
 	uint64_t rng;
 	int      nv, nf;
@@ -84,8 +84,8 @@ area(const Made *m, const int *c)
 	return (b[0] - a[0])*(e[1] - a[1]) - (b[1] - a[1])*(e[0] - a[0]);
 }
 
-/* Whether triangle f can be added to those that are in, so that these stay a disk: it shares two
- * sides with them, or one side and not the opposite corner. */
+/* Whether triangle f can be added to the triangles marked `in` so that they remain a disk: it shares
+ * two sides with them, or one side and not the opposite corner. */
 static int
 extends(const Made *m, const Topology *t, const unsigned char *in, const unsigned char *used, int f)
 {
@@ -337,7 +337,7 @@ insert(Made *m)
 	}
 }
 
-/* A height at each point, of numbers a that were drawn once. */
+/* The height of point i at (x,y); a: random numbers, the same for all points. */
 typedef double Height(Made *m, int i, double x, double y, const double *a);
 
 static double
@@ -460,7 +460,7 @@ wind(Made *m)
 	name(m, rolled ? "rolled" : "wound");
 }
 
-/* Rotated, scaled, moved, turned over. */
+/* Rotates the mesh, and may scale it, move it and turn it over. */
 static void
 move(Made *m)
 {

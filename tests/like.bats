@@ -83,7 +83,7 @@ lhg.write(sys.stdout.buffer, [g])') mesh2rect --like=- "$tmp/face.off"
 @test "real faces get the quarter turn that a person would choose" {
 	[ -d "$meshes/good" ] || skip "no meshes"
 	local faces="face_man_scan_6k.off face_neutral_1875.obj face_smile_1656.obj face_nefertiti_4.6k.off"
-	# All stand upright, the man's face turned by a third of a right angle.  Seen from the
+	# All faces are upright, except that the man's is turned by 30 degrees.  Seen from the
 	# middle of its face, corner k of A is in the same direction as corner k of B, to 60
 	# degrees.
 	for a in ${faces% face_smile*}; do

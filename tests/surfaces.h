@@ -2,7 +2,7 @@
  *
  * The chart of a test is never square, never has h = k and never T = 1: on such a one an
  * exchange of u with v or h with k goes unseen.  stereo and enneper have no symmetry in u
- * or v: where phi_u . phi_uu = 0 a first-order error at the border hides.
+ * or v: where phi_u . phi_uu = 0, a first-order error at the border is not seen.
  */
 #ifndef SURFACES_H
 #define SURFACES_H

@@ -118,7 +118,7 @@ split_some_is_conforming(void **state)
 		free(marked);
 		disk_free(&d);
 		d = finer;
-		assert_true(least_angle(&d.m) > angle/2);       /* Rosenberg and Stenger */
+		assert_true(least_angle(&d.m) > angle/2);       /* the bound of Rosenberg and Stenger */
 	}
 	disk_free(&d);
 }

@@ -123,8 +123,8 @@ size(int k)
 	return k == 0 ? 1 : k == 1 ? 1e-5 : 1e9;
 }
 
-/* Quadratics of (u,v), of any size, including extrema, are exact on the grid and, returned, on
- * the vertices. */
+/* Quadratics of (u,v), of any size, including extrema, are exact on the grid, and on the vertices
+ * when they are interpolated back. */
 static void
 quadratics_there_and_back(void **state)
 {

@@ -273,8 +273,8 @@ first_to_fail(const System *s, const int *order)
 	return bad;
 }
 
-/* Diagonals are made smaller, one after the other or all at once, until the matrix is indefinite.
- * */
+/* Diagonals are made smaller, one after the other or all at once, until the matrix is
+ * indefinite. */
 static void
 indefinite_matrix_is_reported_at_its_pivot(void **state)
 {

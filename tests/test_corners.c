@@ -259,8 +259,8 @@ too_few(void **state)
 	disk_free(&d);
 }
 
-/* Places that are vertices give these vertices, from any first one; close places give neighbours.
- * */
+/* Places that are vertices give these vertices, from any first one; close places give
+ * neighbours. */
 static void
 at_places(void **state)
 {

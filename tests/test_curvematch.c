@@ -87,7 +87,7 @@ known_shifts(void **state)
 		}
 }
 
-/* On a circle all shifts fit equally well: the one that rotates nothing is chosen. */
+/* On a circle all shifts fit equally well: the one without rotation is chosen. */
 static void
 circle(void **state)
 {

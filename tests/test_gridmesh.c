@@ -51,7 +51,7 @@ flat_faces(const Mesh *m)
 	return n;
 }
 
-/* The number of faces without area before and after, and the largest way that a node moved. */
+/* The number of faces without area before and after, and the largest distance that a node moved. */
 static int
 part(int single, int *before, double *moved)
 {
@@ -129,7 +129,7 @@ coinciding_nodes_are_parted(void **state)
 	assert_true(moved < .01);
 }
 
-/* What floats cannot tell apart: two neighbours, and two nodes far from each other. */
+/* Nodes that coincide in floats: two neighbours, and two nodes far from each other. */
 static void
 floats_are_parted(void **state)
 {

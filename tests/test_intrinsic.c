@@ -72,7 +72,7 @@ check_sides(const Intrinsic *t)
 		assert_int_equal(t->edge[t->side[e]], e);
 }
 
-/* cot a + cot b >= 0 up to `small`, of needles relative to their cotangents. */
+/* Checks that cot a + cot b >= 0, up to `small`; for needles, up to this share of their cotangents. */
 static void
 check_delaunay(const Intrinsic *t, double small)
 {
@@ -135,7 +135,7 @@ delaunay_keeps_the_surface(void **state)
 	}
 }
 
-/* In disks with needles, whose angles are known less well. */
+/* Disks with needles, whose angles have larger rounding errors. */
 static void
 delaunay_with_needles(void **state)
 {
@@ -182,7 +182,7 @@ mollified_triangles_have_area(void **state)
 	disk_free(&d);
 }
 
-/* A disk in the plane that is far from Delaunay: sheared, and drawn out tenfold. */
+/* A disk in the plane that is far from Delaunay: sheared, and stretched tenfold. */
 static void
 shear(Disk *d)
 {
@@ -416,7 +416,7 @@ check_order(const Disk *d, uint64_t seed, int keys)
 	disk_free(&one), disk_free(&two);
 }
 
-/* Unit squares, the diagonal of each drawn by lot. */
+/* Unit squares, each with a random diagonal. */
 static void
 make_squares(int nx, int ny, uint64_t seed, Disk *d)
 {
@@ -479,7 +479,7 @@ has_edge(const Disk *d, int a, int b)
 	return 0;
 }
 
-/* cot a + cot b of the side, by places. */
+/* cot a + cot b of the angles opposite to the side, from the positions of vertices. */
 static double
 cotangents(const Disk *d, int h)
 {

@@ -250,8 +250,9 @@ deviation(const Conformal *a, const Conformal *b, const Motion *m, int turned, d
 
 enum { RENUMBERED, REORDERED, ROTATED, FAR, SMALL, LARGE, TURNED, CASES };
 
-/* The same disk in another guise.  The polish, whose rounds end by a threshold, can magnify
- * rounding errors, so it is left out; and so is the smooth surface. */
+/* The deviation of the map of the same disk, moved, scaled, renumbered or turned.  The polish,
+ * whose rounds end by a threshold, can magnify rounding errors, so it is left out; and so is the
+ * smooth surface. */
 static double
 deviation_of(const Disk *d, const int vertex[4], int what, uint64_t seed)
 {

@@ -216,8 +216,8 @@ bursts(void **state)
 	free(b.p);
 }
 
-/* A stream cut after any byte; make check takes every 61st.  test_lhgcorpus cuts small streams.
- * */
+/* A stream cut after any byte; make check takes every 61st.  test_lhgcorpus cuts small
+ * streams. */
 static void
 cut(void **state)
 {

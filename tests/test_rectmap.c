@@ -331,7 +331,7 @@ no_free_vertices(void **state)
 	disk_free(&d);
 }
 
-/* The matrix is the one that is applied: C x by rows against C x by triangles. */
+/* C x by the rows of the matrix is C x summed triangle by triangle. */
 static void
 rows_are_the_triangles(void **state)
 {

@@ -102,7 +102,7 @@ perimeter(const Disk *d)
 	return sum;
 }
 
-/* Of every chosen point one vertex is there. */
+/* A vertex of m lies at every chosen point. */
 static void
 check_places(const Disk *d, const Chosen *c, const Mesh *m)
 {
@@ -147,8 +147,8 @@ check_linear(const Subdivision *s)
 	free(f);
 }
 
-/* inner is that of both sides of an edge, and 0 on pieces of given edges: as many as the points on
- * them make. */
+/* inner is equal on both sides of an edge, and 0 on the pieces of given edges; their number follows
+ * from that of the points on edges. */
 static void
 check_inner(const Subdivision *s, int given)
 {

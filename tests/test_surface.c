@@ -175,8 +175,8 @@ threads_change_no_bit(void **state)
 static const FitOptions PATIENT = { .tolerance = 1e-8, .most = 200, .sharpen = 1 };
 
 /* Inversions keep a map conformal.  That of a minimal surface has an H that varies, whereas
- * Enneper's surface has associates with the same lambda and H, and a sphere bends to first order.
- * */
+ * Enneper's surface has associates with the same lambda and H, and a sphere bends to first
+ * order. */
 static Node
 inverted(Node a)
 {
@@ -373,8 +373,8 @@ weights_are_sharp_once_the_metric_fits(void **state)
 	}
 }
 
-/* If the detail that the finest grid adds to the coarse ones is known, hardly a step is needed.
- * */
+/* If the detail that the finest grid adds to the coarse ones is known, hardly a step is
+ * needed. */
 static void
 known_detail_needs_hardly_a_step(void **state)
 {

@@ -14,7 +14,7 @@ enum {
 
 typedef struct Compare {
 	double error;           /* over the square root of the area of a */
-	int    far, cross;      /* compute the Hausdorff distance, self-intersections? */
+	int    far, cross;      /* whether to compute the Hausdorff distance, self-intersections */
 } Compare;
 
 /* One of the two surfaces, and the values that depend on it alone. */

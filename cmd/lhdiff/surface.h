@@ -23,7 +23,7 @@ void surfaces_open(Surfaces *s, const char *path);
  * channels x y z. */
 int  surfaces_next(Surfaces *s, Mesh *m);
 
-/* Does another surface follow?  To be asked after the first. */
+/* Whether another surface follows; to be called after the first. */
 int  surfaces_more(const Surfaces *s);
 
 #endif

@@ -4,8 +4,8 @@
 
 #include "../../lib/mesh/mesh.h"
 
-/* Exit 2 if the name of FILE has not the end of a format with (u,v), or if FILE is also the output
- * or the operand mesh.  To be called after all options. */
+/* Exit 2 if the name of FILE does not end like those of a format with (u,v), or if FILE is also
+ * the output or the operand mesh.  To be called after all options. */
 void opt_uv(const char *file, const char *mesh);
 
 /* Write s, the file's own vertices and polygons, with the (u,v) of the vertices of d, the

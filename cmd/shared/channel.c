@@ -4,7 +4,7 @@
 
 #include "cmd.h"
 
-/* The command that makes a channel, for somebody who ran the stages in the wrong order. */
+/* The command that makes a channel, for the message when stages were run in the wrong order. */
 static const struct {
 	const char *channel, *command;
 } MAKER[] = {

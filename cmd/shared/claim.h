@@ -8,7 +8,7 @@
  * process may use.  what: the computation, where: its input, both for the message. */
 void claim(const char *where, const char *what, double n, double bytes);
 
-/* Notes that n*bytes, the most that a computation may need, are more than that. */
+/* Prints a note if n*bytes, the most that a computation may need, exceed the same limits. */
 void claim_possible(const char *where, const char *what, double n, double bytes);
 
 /* Bytes of the largest input that is read into memory: half of the memory that the machine has

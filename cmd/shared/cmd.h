@@ -55,7 +55,7 @@ int cmd_getopt(int argc, char *argv[], const char *shortopt, const struct option
  * Operand 0 is argv[optind]. */
 int cmd_operands(int argc, char *argv[], int min, int max);
 
-/* The number in [lo,hi] that s is, without other characters; or exit 2. */
+/* The value of s, which must be a number in [lo,hi] and nothing else; or exit 2. */
 double opt_double(const char *s, double lo, double hi, const char *option);
 long   opt_long(const char *s, long lo, long hi, const char *option);
 

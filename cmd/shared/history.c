@@ -40,7 +40,7 @@ history_none(void)
 	step.none = 1;
 }
 
-/* value in the quotes that a shell needs, in out, of 9 bytes for each of value's and 17 more.  Control
+/* value in the quotes that a shell needs; out has 9 bytes for each byte of value, and 17 more.  Control
  * characters and bytes that are not UTF-8 are escapes of printf %b.  "$(..)" drops LFs at the end,
  * so these are taken from IFS, which is " \t\n" when a shell starts. */
 static void

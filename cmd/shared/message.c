@@ -11,7 +11,7 @@
 
 static struct {
 	const char *name;
-	int         verbose;            /* -1 quiet, 0, 1 */
+	int         verbose;            /* -1: quiet, 0: notes, 1: details too */
 	struct timespec began;
 	int         progress;           /* a progress line is on the terminal */
 } message;

@@ -42,7 +42,7 @@ void output_follow_links(const char *path, char *to);
 
 /* ---- descriptor.c ---- */
 
-/* A stream over fd, which fclose closes; NULL without memory.  Calls that a signal interrupts, that
+/* A stream over fd, which fclose closes; NULL if memory runs out.  Calls that a signal interrupts, that
  * would block, or that move only a part are continued. */
 FILE *descriptor_stream(int fd, const char *mode);
 

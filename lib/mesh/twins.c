@@ -20,8 +20,8 @@ bysides(const void *a, const void *b)
 	return x->side < y->side ? -1 : x->side > y->side;
 }
 
-/* Sorts by hi; sides of one edge are in ascending order on entry, and stay so.  Most vertices have few sides, where
- * insertion is faster. */
+/* Sorts by hi; sides of one edge are in ascending order on entry, and stay so.  Most vertices have
+ * few sides, where insertion is faster. */
 static void
 sort(Side *s, size_t n)
 {

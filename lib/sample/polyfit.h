@@ -23,7 +23,7 @@ typedef struct Hood {
 /* Rows of weighted monomials and differences of phi, made triangular. */
 typedef struct Polyfit {
 	int    rows, rank;
-	int    term[POLYFIT_TERMS];     /* the term of each column 0 .. rank-1 of the triangle, rising */
+	int    term[POLYFIT_TERMS];     /* the term of each column 0 .. rank-1 of the triangle, ascending */
 	double to[2][2];                /* (x,y) = to (du,dv) */
 	double a[POLYFIT_MOST][POLYFIT_COLS];
 } Polyfit;

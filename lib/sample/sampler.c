@@ -115,7 +115,7 @@ find_place(const Sampler *s, double x, double y)
 	return p;
 }
 
-/* The places of n points (x,y), to be freed; NULL without memory. */
+/* The places of n points (x,y), to be freed; NULL if memory runs out. */
 static Place *
 find_places(const Sampler *s, int n, const double *x, const double *y)
 {
