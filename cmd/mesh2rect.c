@@ -149,7 +149,8 @@ map_disk(const Disk *d, const int corner[4], Chart g, const ConformalOptions *op
 	case 0: break;
 	case SPD_ENOMEM: die("no memory: the factor of %d vertices needs %.0f bytes", d->m.nv, report.bytes);
 	case SPD_ELARGE: die("%d vertices are more than the solver can number", d->m.nv);
-	default: die("the cotangent matrix is not positive definite at row %d: triangles too thin", report.column);
+	default: die("the cotangent matrix is not positive definite at row %d: triangles too thin",
+		report.column);
 	}
 	if (!(c->grid.g.T > 0 && c->grid.g.T < HUGE_VAL))
 		die("the map has no modulus: triangles too thin");

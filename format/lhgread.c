@@ -182,7 +182,8 @@ readchannel(LhgStream *s, const Lhg *g, LhgChannel *c, uint32_t *crc)
 		if (b[i])
 			return lhg_fail(s, g, LHG_EDATA, "channel %s: padding is not zero", c->name);
 	if (good < c->n)
-		return lhg_fail(s, g, LHG_EVALUE, "channel %s is not finite at sample %zu of %zu", c->name, good, c->n);
+		return lhg_fail(s, g, LHG_EVALUE, "channel %s is not finite at sample %zu of %zu", c->name, good,
+			c->n);
 	return 0;
 }
 

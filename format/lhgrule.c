@@ -14,7 +14,8 @@ checkchannel(LhgStream *s, const Lhg *g, int c)
 	if (!memchr(ch->name, '\0', LHG_NAMELEN) || !lhg_goodname(ch->name, strlen(ch->name), LHG_NAMELEN, ""))
 		return lhg_fail(s, g, LHG_ELIMIT, "the name of channel %d is not 1 to %d letters, digits or ._+-",
 		    c + 1, LHG_NAMELEN - 1);
-	if (!memchr(ch->unit, '\0', LHG_NAMELEN) || !lhg_goodname(ch->unit, strlen(ch->unit), LHG_NAMELEN, "/^*"))
+	if (!memchr(ch->unit, '\0', LHG_NAMELEN) || !lhg_goodname(ch->unit, strlen(ch->unit), LHG_NAMELEN,
+		"/^*"))
 		return lhg_fail(s, g, LHG_ELIMIT, "the unit of channel %s is not 1 to %d letters, digits or ._+-/^*",
 		    ch->name, LHG_NAMELEN - 1);
 	if (lhg_find(g, ch->name) != ch)
@@ -70,7 +71,8 @@ lhg_check(LhgStream *s, const Lhg *g)
 	if (!(g->T > 0) || !isfinite(g->T))
 		return lhg_fail(s, g, LHG_ELIMIT, "height is not a positive number");
 	if (g->frame < 1 || g->frame > g->frames || g->frames > LHG_MAXFRAMES)
-		return lhg_fail(s, g, LHG_ELIMIT, "frame and number of frames are not 1 <= k <= n <= %d", LHG_MAXFRAMES);
+		return lhg_fail(s, g, LHG_ELIMIT, "frame and number of frames are not 1 <= k <= n <= %d",
+			LHG_MAXFRAMES);
 	if (g->nchan < 1 || g->nchan > LHG_MAXCHAN)
 		return lhg_fail(s, g, LHG_ELIMIT, "number of channels is not 1 to %d", LHG_MAXCHAN);
 	for (c = 0; !e && c < g->nchan; c++)

@@ -415,7 +415,8 @@ cone(Made *m, int i, double x, double y, const double *a)
 }
 
 static const struct { const char *name; Height *at; } HEIGHTS[] = {
-	{ "flat", flat }, { "bumps", bumps }, { "bumps", bumps }, { "fold", fold }, { "noise", roughness }, { "spike", spike },
+	{ "flat", flat }, { "bumps", bumps }, { "bumps", bumps }, { "fold", fold }, { "noise", roughness },
+	{ "spike", spike },
 	{ "cusp", cusp }, { "bowl", bowl }, { "stair", stair }, { "waves", waves }, { "cone", cone }
 };
 
@@ -496,7 +497,8 @@ move(Made *m)
 int
 disks_of(int nv, const double *xyz, int nf, const int *tri, Disk *d)
 {
-	Soup s = { .nv = nv, .nf = nf, .xyz = (double *)xyz, .idx = (int *)tri, .first = malloc((nf + 1)*sizeof *s.first) };
+	Soup s = { .nv = nv, .nf = nf, .xyz = (double *)xyz, .idx = (int *)tri,
+		.first = malloc((nf + 1)*sizeof *s.first) };
 	int i, e;
 
 	if (!s.first)
@@ -578,7 +580,8 @@ disks_is_disk(const Disk *d)
 
 typedef int Shape(Made *m, int n);
 static const struct { const char *name; Shape *make; } SHAPES[] = {
-	{ "square", square }, { "polygon", polygon }, { "star", star }, { "star", star }, { "strip", strip }, { "spiral", spiral },
+	{ "square", square }, { "polygon", polygon }, { "star", star }, { "star", star },
+	{ "strip", strip }, { "spiral", spiral },
 	{ "fan", fan }, { "grid", grid }, { "comb", comb }
 };
 

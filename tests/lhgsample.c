@@ -49,7 +49,8 @@ same(const Lhg *a, const Lhg *b)
 	int c;
 
 	if (a->nu != b->nu || a->nv != b->nv || a->T != b->T || a->frame != b->frame ||
-	    a->frames != b->frames || a->nchan != b->nchan || strcmp(a->meta, b->meta) || strcmp(a->hist, b->hist))
+	    a->frames != b->frames || a->nchan != b->nchan || strcmp(a->meta, b->meta) ||
+		strcmp(a->hist, b->hist))
 		return 0;
 	for (c = 0; c < a->nchan; c++)
 		if (strcmp(a->chan[c].name, b->chan[c].name) || strcmp(a->chan[c].unit, b->chan[c].unit) ||

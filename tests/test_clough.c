@@ -378,7 +378,8 @@ errors(const Charted *s, double e[4])
 		double a = s->u[q[1]] - s->u[q[0]], d = s->v[q[1]] - s->v[q[0]];
 		double x = s->u[q[2]] - s->u[q[0]], y = s->v[q[2]] - s->v[q[0]], det = a*y - d*x;
 		double r = 0.02*det/(a*a + d*d + x*x + y*y + fabs(a*x + d*y));
-		const double du[3] = { (d - y)/det*r, y/det*r, -d/det*r }, dv[3] = { (x - a)/det*r, -x/det*r, a/det*r };
+		const double du[3] = { (d - y)/det*r, y/det*r, -d/det*r },
+			dv[3] = { (x - a)/det*r, -x/det*r, a/det*r };
 
 		do
 			random_bary(&seed, b);

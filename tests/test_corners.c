@@ -231,7 +231,7 @@ nearest_points(void **state)
 	for (i = 0; i < 4; i++)
 		assert_int_equal(corners_nearest(&d, xyz + 3*i), i);
 	assert_int_equal(corners_nearest(&d, (double[]){ 1.1, 1.2, 0 }), 2);    /* 4 is nearer, but inside */
-	assert_int_equal(corners_nearest(&d, (double[]){ 1, 1, 5 }), 0);        /* of the four, the lowest number */
+	assert_int_equal(corners_nearest(&d, (double[]){ 1, 1, 5 }), 0);        /* the lowest number */
 	assert_int_equal(corners_nearest(&d, (double[]){ 3, 1, 0 }), 1);
 	assert_int_equal(corners_nearest(&d, (double[]){ -1e5, 1e5, 0 }), 3);
 	disk_flip(&d);                                                          /* the loop runs 0 3 2 1 */

@@ -36,7 +36,8 @@ disturb(uint64_t *seed, double size, int n, double *x)
 		x[i] += size*(2*rng_unit(seed) - 1);
 }
 
-static const Rigid MOVE = { { { 0.36, 0.48, -0.8 }, { -0.8, 0.6, 0 }, { 0.48, 0.64, 0.6 } }, { 5, -7, 11 } };
+static const Rigid MOVE = { { { 0.36, 0.48, -0.8 }, { -0.8, 0.6, 0 }, { 0.48, 0.64, 0.6 } },
+	{ 5, -7, 11 } };
 
 /* The rms of every shift is that of the best motion for the pairs of points at this shift. */
 static void

@@ -191,7 +191,8 @@ repairs(void **state)
 	takes("v 7 7 7\n" SQUARE "v 0 0 0\nv 1 1 0\nf 2 3 4\nf 6 7 5\n", 4, 2, 4,
 	    "1 unreferenced vertex dropped; 6 vertices of a soup welded to 4");
 	takes(SQUARE "f 1 2 3\nf 4 3 1\n", 4, 2, 4, "1 of 2 faces were turned to agree with the rest");
-	d = good(TETRA "f 1 2 3\nf 1 2 4\nf 2 3 4\n", 4, 3, 3, "1 of 3 faces were turned to agree with the rest");
+	d = good(TETRA "f 1 2 3\nf 1 2 4\nf 2 3 4\n", 4, 3, 3,
+		"1 of 3 faces were turned to agree with the rest");
 	assert_int_equal(d.m.tri[1], 2);        /* the first face, though CGAL begins at this one */
 	disk_free(&d);
 }
@@ -218,7 +219,7 @@ refusals(void **state)
 	refuses("v 0 0 0\nv 3 0 0\nv 0 3 0\nv 1 1 0\nv 1.5 1 0\nv 1 1.5 0\n"
 	    "f 1 2 5 4\nf 2 3 6 5\nf 3 1 4 6\n", MESH_EDISK,
 	    "2 boundary loops, a disk has one: at vertices 0, 3");
-	refuses(STRIP "f 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n", MESH_EORIENT,    /* a Moebius strip of five triangles */
+	refuses(STRIP "f 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n", MESH_EORIENT,    /* a Moebius strip */
 	    "surface is one-sided: no orientation agrees across edge");
 }
 

@@ -88,7 +88,8 @@ rough(double u, double v, int c)
 static void
 polynomials_are_exact(void **state)
 {
-	static const Chart grid[] = { { 4, 4, 1, &CHART_RECTANGLE }, { 5, 6, 0.3, &CHART_RECTANGLE }, { 6, 5, 2.5, &CHART_RECTANGLE }, { 9, 17, 0.7, &CHART_RECTANGLE }, { 40, 7, 1.3, &CHART_RECTANGLE } };
+	static const Chart grid[] = { { 4, 4, 1, &CHART_RECTANGLE }, { 5, 6, 0.3, &CHART_RECTANGLE },
+		{ 6, 5, 2.5, &CHART_RECTANGLE }, { 9, 17, 0.7, &CHART_RECTANGLE }, { 40, 7, 1.3, &CHART_RECTANGLE } };
 	size_t i;
 
 	(void)state;
@@ -146,7 +147,8 @@ slopes_agree(void **state)
 
 /* The vertices of a mesh of four vertices, from their (u,v); T is known or 0. */
 static int
-moved(Chart g, const double *const phi[3], double T, const double uv[8], double x[12], double to[8], int *at)
+moved(Chart g, const double *const phi[3], double T, const double uv[8], double x[12], double to[8],
+	int *at)
 {
 	static const double xyz[12] = { 9, 9, 9, 8, 8, 8, 7, 7, 7, 6, 6, 6 };
 	int e = gridpoint_uv(g, T, 4, uv, to, at);
@@ -181,7 +183,7 @@ meshes_are_moved(void **state)
 	assert_int_equal(moved(g, phi, 2, uv, x, to, &at), 0);
 	gridpoint(g, 3, phi, 0.5, 0.5, want);
 	assert_true(to[7] == 0.5 && x[9] == want[0]);
-	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);     /* (u,v) in units of the grid */
+	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);     /* unit: the grid */
 	assert_int_equal(at, 3);
 	uv[7] = 0.5, uv[4] = 1.00001;
 	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);

@@ -32,7 +32,8 @@ total_area(const Intrinsic *t)
 	int f;
 
 	for (f = 0; f < t->nf; f++)
-		sum += intrinsic_area(intrinsic_length(t, 3*f), intrinsic_length(t, 3*f + 1), intrinsic_length(t, 3*f + 2));
+		sum += intrinsic_area(intrinsic_length(t, 3*f), intrinsic_length(t, 3*f + 1),
+			intrinsic_length(t, 3*f + 2));
 	return sum;
 }
 
@@ -268,7 +269,8 @@ check_plane(const Disk *d)
 			int h = t.mesh_side[t.along[e]], from = d->m.tri[h], to = d->m.tri[topology_next(h)];
 
 			assert_int_equal(n, 0);
-			assert_true((from == start(&t, e) && to == end(&t, e)) || (to == start(&t, e) && from == end(&t, e)));
+			assert_true((from == start(&t, e) && to == end(&t, e)) ||
+				(to == start(&t, e) && from == end(&t, e)));
 		}
 		for (k = 0; k < n; k++) {
 			assert_int_equal(t.crossing[e][k], c[k].mesh);

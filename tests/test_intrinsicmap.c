@@ -164,7 +164,8 @@ check_intrinsic(const Disk *d, const int vertex[4])
 static int
 is_slow(uint64_t seed)
 {
-	static const unsigned char slow[] = { 3, 5, 9, 10, 12, 15, 17, 18, 20, 21, 27, 28, 34, 37, 39, 41, 46, 53 };
+	static const unsigned char slow[] = { 3, 5, 9, 10, 12, 15, 17, 18, 20, 21, 27, 28, 34, 37, 39, 41,
+		46, 53 };
 
 	return seed < 256 && memchr(slow, (int)seed, sizeof slow) != NULL;
 }

@@ -141,7 +141,7 @@ collapsed_nodes_are_counted(void **state)
 		}
 	flaws = lambdah(COARSE, cphi, LAMBDAH_NORMAL, lambda, H);
 	assert_int_equal(flaws.raised, 9);
-	assert_int_equal(flaws.parallel, 12);           /* phi_u or phi_v is 0 along the sides of the collapsed square */
+	assert_int_equal(flaws.parallel, 12);   /* phi_u or phi_v is 0 along the sides of the square */
 	for (p = 0; p < COARSE.nu*COARSE.nv; p++)
 		assert_true(lambda[p] > 0 && isfinite(H[p]));
 }

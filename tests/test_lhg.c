@@ -370,9 +370,12 @@ frames(void **state)
 	fails(glue(join(f1, f3), part(f2, 0, n)), LHG_EORDER, "frame 2 of 3: frame 3 of 3 comes in its place");
 	fails(glue(join(f1, f2), part(f1, 0, n)), LHG_EORDER, "frame 3 of 3: frame 1 of 3 comes in its place");
 	fails(join(f1, f2), LHG_ESHORT, "frame 3 of 3: input ends before it");
-	fails(glue(join(f1, o2), part(f3, 0, n)), LHG_EORDER, "frame 2 of 3: it does not belong to the frame before it");
-	fails(glue(part(a, 0, a.n), part(f3, 0, n)), LHG_EORDER, "frame 3 of 3: the frames before it are missing");
-	fails(glue(part(f1, 0, n), text("frame")), LHG_EDATA, "frame 2 of 3: bytes follow the end mark before it");
+	fails(glue(join(f1, o2), part(f3, 0, n)), LHG_EORDER,
+		"frame 2 of 3: it does not belong to the frame before it");
+	fails(glue(part(a, 0, a.n), part(f3, 0, n)), LHG_EORDER,
+		"frame 3 of 3: the frames before it are missing");
+	fails(glue(part(f1, 0, n), text("frame")), LHG_EDATA,
+		"frame 2 of 3: bytes follow the end mark before it");
 	assert_int_equal(scan(join(a, other)).grids, 6);
 	assert_int_equal(scan(join(a, a)).grids, 6);
 	free(a.p), free(other.p), free(f1.p), free(f2.p), free(f3.p), free(o2.p);
@@ -443,29 +446,40 @@ messages(void **state)
 #define C4   "channel a 1 grid\nchannel b 1 grid\nchannel c 1 grid\nchannel d 1 grid\n"
 
 static const char *const malformed[] = {
-	SIZE("-1 4"), SIZE("+5 4"), SIZE("05 4"), SIZE("5  4"), SIZE(" 5 4"), SIZE("5 4 "), SIZE("5"), SIZE("5 4 3"),
+	SIZE("-1 4"), SIZE("+5 4"), SIZE("05 4"), SIZE("5  4"), SIZE(" 5 4"), SIZE("5 4 "), SIZE("5"),
+	SIZE("5 4 3"),
 	SIZE("0x5 4"), SIZE("5.0 4"), SIZE(""), SIZE("5,4"), SIZE("5 4\r"),
-	HEIGHT("0"), HEIGHT("-1"), HEIGHT("nan"), HEIGHT("inf"), HEIGHT("INFINITY"), HEIGHT("0x1p0"), HEIGHT("1.0"),
+	HEIGHT("0"), HEIGHT("-1"), HEIGHT("nan"), HEIGHT("inf"), HEIGHT("INFINITY"), HEIGHT("0x1p0"),
+	HEIGHT("1.0"),
 	HEIGHT("01"), HEIGHT("+1"), HEIGHT("1e0"), HEIGHT("1e+00"), HEIGHT("1."), HEIGHT(".5"), HEIGHT("0.10"),
-	HEIGHT("1e-999"), HEIGHT("1 "), HEIGHT("0,5"), HEIGHT("0.1e1"), HEIGHT("1e"), HEIGHT("1e5"), HEIGHT("1E+20"),
-	HEIGHT("9.999999999999999e+22"), HEIGHT("0.5.5"), HEIGHT("0.69999999999999996"), HEIGHT("0.70000000000000001"), HEIGHT(""), HEIGHT("1 1"),
+	HEIGHT("1e-999"), HEIGHT("1 "), HEIGHT("0,5"), HEIGHT("0.1e1"), HEIGHT("1e"), HEIGHT("1e5"),
+	HEIGHT("1E+20"),
+	HEIGHT("9.999999999999999e+22"), HEIGHT("0.5.5"), HEIGHT("0.69999999999999996"),
+	HEIGHT("0.70000000000000001"), HEIGHT(""), HEIGHT("1 1"),
 	HEIGHT("1000000000000000000000000000000000000000000000000000000000000000000000000000000"),
-	FRAME("1 1 0000000"), FRAME("1 1 000000000"), FRAME("1 1"), FRAME("1 1  00000000"), FRAME("01 1 00000000"),
+	FRAME("1 1 0000000"), FRAME("1 1 000000000"), FRAME("1 1"), FRAME("1 1  00000000"),
+	FRAME("01 1 00000000"),
 	FRAME("1 1 0000000G"), FRAME("1 1 0x000000"), FRAME("1 1 -0000000"), FRAME("1 1 00000000 "),
 	A "channel\n", A "channel x\n", A "channel x 1\n", A "channel x 1 cell\n", A "channel x 1 grid 0\n",
-	A "channel x 1 grid 1\n", A "channel x 1 border\n", A "channel x 1 border -1\n", A "channel x 1 border 01\n",
+	A "channel x 1 grid 1\n", A "channel x 1 border\n", A "channel x 1 border -1\n",
+	A "channel x 1 border 01\n",
 	A "channel x 1 border 1 1\n", A "channel x  1 grid\n", A "channel  1 grid\n", A "channel x 1 grid \n",
-	A "channel x 1 Grid\n", A "channel " S32 " 1 grid\n", A "channel x " S32 " grid\n", A "channels 1000000000\n",
-	B "comment x\n", B "\n", B "lhg 1\n", B "size 5 4\n", B "height 1\n", B "frame 1 1 00000000\n", B "meta\n", B "history\n",
-	B "history x\nmeta a b\n", B "meta a b\nchannel y 1 grid\n", B "meta a b\nhistory x\nmeta c d\n", B "Meta a b\n",
+	A "channel x 1 Grid\n", A "channel " S32 " 1 grid\n", A "channel x " S32 " grid\n",
+	A "channels 1000000000\n",
+	B "comment x\n", B "\n", B "lhg 1\n", B "size 5 4\n", B "height 1\n", B "frame 1 1 00000000\n",
+	B "meta\n", B "history\n",
+	B "history x\nmeta a b\n", B "meta a b\nchannel y 1 grid\n", B "meta a b\nhistory x\nmeta c d\n",
+	B "Meta a b\n",
 	"lhg 1\nheight 1\nsize 5 4\nframe 1 1 00000000\nchannel x 1 grid\n",
 	"lhg 1\nsize 5 4\nheight 1\nchannel x 1 grid\nframe 1 1 00000000\n",
 	"lhg 1\nsize 5 4\nsize 5 4\nheight 1\nframe 1 1 00000000\nchannel x 1 grid\n"
 };
 
 static const char *const beyond[] = {
-	SIZE("0 4"), SIZE("1 4"), SIZE("5 1"), SIZE("5 0"), SIZE("32769 4"), SIZE("5 32769"), SIZE("2147483648 4"),
-	SIZE("4294967301 4"), SIZE("18446744073709551621 4"), SIZE("65541 4"), SIZE("99999999999999999999999999 4"),
+	SIZE("0 4"), SIZE("1 4"), SIZE("5 1"), SIZE("5 0"), SIZE("32769 4"), SIZE("5 32769"),
+	SIZE("2147483648 4"),
+	SIZE("4294967301 4"), SIZE("18446744073709551621 4"), SIZE("65541 4"),
+	SIZE("99999999999999999999999999 4"),
 	HEIGHT("1e999"),
 	FRAME("0 1 00000000"), FRAME("2 1 00000000"), FRAME("1 0 00000000"), FRAME("1 1000001 00000000"),
 	FRAME("4294967297 1 00000000"),
@@ -473,10 +487,12 @@ static const char *const beyond[] = {
 	A "channel x 1 border 0\n", A "channel x 1 border 5\n", A "channel x 1 border 2147483648\n",
 	A "channel x 1 border 4294967297\n", A "channel x 1 lattice 0\n", A "channel x 1 lattice 5\n",
 	A "channel x 1 lattice 18446744073709551617\n",
-	A "channel a/b 1 grid\n", A "channel x\t 1 grid\n", A "channel x\xc3\xa4 1 grid\n", A "channel x a,b grid\n",
+	A "channel a/b 1 grid\n", A "channel x\t 1 grid\n", A "channel x\xc3\xa4 1 grid\n",
+	A "channel x a,b grid\n",
 	B "channel x 1 grid\n", B "channel y 1 grid\nchannel x 1 border 1\n",
 	A C4 "channel a 1 grid\n",
-	B "meta a\n", B "meta a \n", B "meta  b\n", B "meta a  b\n", B "meta a b \n", B "meta a\tb c\n", B "meta a/b c\n",
+	B "meta a\n", B "meta a \n", B "meta  b\n", B "meta a  b\n", B "meta a b \n", B "meta a\tb c\n",
+	B "meta a/b c\n",
 	B "meta a b\nmeta a c\n", B "meta a b\nmeta ab c\nmeta a b\n", B "meta " S32 S32 " b\n",
 	B "meta a \x01\n", B "meta a b\x7f\n", B "meta a \xff\n", B "meta a \x1b[2J\n", B "meta a b\r\n",
 	B "meta a \xc2\x85\n", B "meta a \xc0\xaf\n", B "meta a \xed\xa0\x80\n", B "meta a \xf4\x90\x80\x80\n",
@@ -522,7 +538,8 @@ badends(void **state)
 		b.p[b.n - 1] = '\n';
 		assert_true(scan(gridof(b, zero, 20)).code < 0);
 	}
-	fails(glue(text("lhg 1\nend\n"), set(3, 3, 1)), LHG_EHEAD, "header does not end at a multiple of 64 bytes");
+	fails(glue(text("lhg 1\nend\n"), set(3, 3, 1)), LHG_EHEAD,
+		"header does not end at a multiple of 64 bytes");
 	memset(h, ' ', 64);
 	memcpy(h, "lhg 1\nend", 9);
 	strcpy(h + 63, "\n");
@@ -590,12 +607,15 @@ badsamples(void **state)
 
 	(void)state;
 	many[9000] = NAN;
-	fails(gridof(headof(lines, strlen(lines), 0), many, 15000), LHG_EVALUE, "channel x is not finite at sample 9000 of 15000");
+	fails(gridof(headof(lines, strlen(lines), 0), many, 15000), LHG_EVALUE,
+		"channel x is not finite at sample 9000 of 15000");
 	many[5000] = NAN;
-	fails(gridof(headof(lines, strlen(lines), 0), many, 15000), LHG_EVALUE, "channel x is not finite at sample 5000 of 15000");
+	fails(gridof(headof(lines, strlen(lines), 0), many, 15000), LHG_EVALUE,
+		"channel x is not finite at sample 5000 of 15000");
 	for (i = 0; i < 5; i++) {
 		memcpy(&f[7], &bits[i], 8);
-		fails(gridof(headof(B, strlen(B), 0), f, 20), LHG_EVALUE, "channel x is not finite at sample 7 of 20");
+		fails(gridof(headof(B, strlen(B), 0), f, 20), LHG_EVALUE,
+			"channel x is not finite at sample 7 of 20");
 	}
 }
 
@@ -612,7 +632,8 @@ promises(void **state)
 	n = sprintf(h, "%s", "lhg 1\nsize 32768 32768\nheight 1\nframe 1 1000000 00000000\n");
 	for (k = 0; k < 64; k++)
 		n += sprintf(h + n, "channel c%d 1 grid\n", k);
-	fails(headof(h, (size_t)n, 0), LHG_ESHORT, "frame 1 of 1000000: channel c0 ends at sample 0 of 1073741824");
+	fails(headof(h, (size_t)n, 0), LHG_ESHORT,
+		"frame 1 of 1000000: channel c0 ends at sample 0 of 1073741824");
 #ifndef SANITIZED
 	if ((child = fork()) == 0) {
 		setrlimit(RLIMIT_AS, &limit);

@@ -73,7 +73,8 @@ thin(Lhg *g, int m)
 	channel(g, "l", "1", LHG_LATTICE, 39);
 }
 
-static const double number[] = { 0, -0.0, 1, -1, 0.1, 1.0/3, 1 + DBL_EPSILON, DBL_MAX, -DBL_MAX, DBL_MIN,
+static const double number[] = { 0, -0.0, 1, -1, 0.1, 1.0/3, 1 + DBL_EPSILON, DBL_MAX, -DBL_MAX,
+	DBL_MIN,
     -DBL_MIN, 5e-324, -5e-324, 2.2250738585072009e-308, 9007199254740993.0, 1e23, 4.35, 3e-310 };
 
 static void
@@ -87,7 +88,8 @@ numbers(Lhg *g, int m)
 	memcpy(f, number, sizeof number);
 }
 
-static const double height[] = { 1, 0.7, 0.30000000000000004, 1e-5, 0.0001, 1e23, 1e22, 100000, 1e15, 1e16,
+static const double height[] = { 1, 0.7, 0.30000000000000004, 1e-5, 0.0001, 1e23, 1e22, 100000,
+	1e15, 1e16,
     123456789012345, 5e-324, DBL_MIN, DBL_MAX, 2.0/3, 1.7976931348623155e308 };
 
 static void
@@ -121,8 +123,10 @@ texts(Lhg *g, int m)
 	lhg_init(g, 2, 2, 1);
 	channel(g, "ABCDEFGHIJKLMNOPQRSTUVWXYZ._+-0", "abcdefghijklmnopqrstuvwxyz/^*19", LHG_GRID, 0);
 	assert_int_equal(lhg_setmeta(g, "unit", "mm"), 0);
-	assert_int_equal(lhg_setmeta(g, "0123456789012345678901234567890123456789012345678901234567890._", "x"), 0);
-	assert_int_equal(lhg_setmeta(g, "title", "Fl\xc3\xa4""che  2 \xe2\x82\xac \xf0\x9f\x98\x80 \"'\\~"), 0);
+	assert_int_equal(lhg_setmeta(g, "0123456789012345678901234567890123456789012345678901234567890._",
+		"x"), 0);
+	assert_int_equal(lhg_setmeta(g, "title",
+		"Fl\xc3\xa4""che  2 \xe2\x82\xac \xf0\x9f\x98\x80 \"'\\~"), 0);
 	memset(line, 'x', sizeof line);
 	line[LHG_MAXLINE - strlen("history ")] = '\0';
 	assert_int_equal(lhg_note(g, line), 0);
@@ -209,7 +213,8 @@ static void samplebit(Bytes *b) { b->p[SAMPLES + 6] ^= 1; }
 static void crcbyte(Bytes *b) { b->p[TAIL] ^= 1; }
 static void padding(Bytes *b) { b->p[TAIL + 9] = 1; }
 static void endmark(Bytes *b) { b->p[END + 8] &= 0x7f; }
-static void inserted(Bytes *b) { replace(b, glue(glue(part(*b, 0, SAMPLES), text("x")), part(*b, SAMPLES, b->n))); }
+static void inserted(Bytes *b) { replace(b, glue(glue(part(*b, 0, SAMPLES), text("x")),
+	part(*b, SAMPLES, b->n))); }
 static void unaligned(Bytes *b) { replace(b, glue(text("lhg 1\nend\n"), part(*b, 0, b->n))); }
 static void headerof(Bytes *b, const char *lines) { replace(b, headof(lines, strlen(lines), 0)); }
 
@@ -310,7 +315,8 @@ static void
 longline(Bytes *b)
 {
 	char lines[LHG_MAXLINE + 200];
-	int n = snprintf(lines, sizeof lines, "lhg 1\nsize 2 2\nheight 1\nframe 1 1 00000000\nchannel x 1 grid\n");
+	int n = snprintf(lines, sizeof lines,
+		"lhg 1\nsize 2 2\nheight 1\nframe 1 1 00000000\nchannel x 1 grid\n");
 
 	snprintf(lines + n, sizeof lines - (size_t)n, "history %0*d\n", LHG_MAXLINE - 7, 0);
 	headerof(b, lines);
@@ -362,7 +368,8 @@ static const struct Bad {
 	{ "frames-swapped", NULL, swapped, "frame 2 of 3: frame 3 of 3 comes in its place" },
 	{ "frame-alone", NULL, alone, "frame 2 of 3: the frames before it are missing" },
 	{ "frame-last-missing", NULL, last, "frame 3 of 3: input ends before it" },
-	{ "frame-of-another-set", NULL, otherframe, "frame 2 of 3: it does not belong to the frame before it" },
+	{ "frame-of-another-set", NULL, otherframe,
+		"frame 2 of 3: it does not belong to the frame before it" },
 	{ "block-of-another-grid", NULL, otherblock, "frame 1 of 3: channel band.x: CRC is wrong" },
 	{ "blocks-swapped", NULL, blocksswapped, "frame 1 of 3: channel x: CRC is wrong" },
 	{ "bytes-behind", NULL, behind, "frame 3 of 3: bytes follow the end mark" },
@@ -384,10 +391,12 @@ static const struct Bad {
 	{ "size-zero", SIZE("0 4"), NULL, "size is not 2 to 32768 nodes each way" },
 	{ "size-one", SIZE("5 1"), NULL, "size is not 2 to 32768 nodes each way" },
 	{ "size-32769", SIZE("32769 4"), NULL, "size is not 2 to 32768 nodes each way" },
-	{ "size-enormous", SIZE("99999999999999999999999999 4"), NULL, "size is not 2 to 32768 nodes each way" },
+	{ "size-enormous", SIZE("99999999999999999999999999 4"), NULL,
+		"size is not 2 to 32768 nodes each way" },
 	{ "size-5-plus-2-to-32", SIZE("4294967301 4"), NULL, "size is not 2 to 32768 nodes each way" },
 	{ "size-of-one-number", SIZE("5"), NULL, "header line 2 is malformed" },
-	{ "size-leading-zero", SIZE("05 4"), NULL, "header line 2 is out of place or not in its only spelling" },
+	{ "size-leading-zero", SIZE("05 4"), NULL,
+		"header line 2 is out of place or not in its only spelling" },
 	{ "size-hexadecimal", SIZE("0x5 4"), NULL, "header line 2 is malformed" },
 	{ "size-two-spaces", SIZE("5  4"), NULL, "header line 2 is malformed" },
 	{ "height-nan", HEIGHT("nan"), NULL, "header line 3 is malformed" },
@@ -397,11 +406,14 @@ static const struct Bad {
 	{ "height-zero", HEIGHT("0"), NULL, "header line 3 is malformed" },
 	{ "height-negative", HEIGHT("-1"), NULL, "header line 3 is malformed" },
 	{ "height-decimal-comma", HEIGHT("0,5"), NULL, "header line 3 is malformed" },
-	{ "height-other-spelling", HEIGHT("1.0"), NULL, "header line 3 is out of place or not in its only spelling" },
+	{ "height-other-spelling", HEIGHT("1.0"), NULL,
+		"header line 3 is out of place or not in its only spelling" },
 	{ "height-too-many-digits", HEIGHT("0.69999999999999996"), NULL,
 	    "header line 3 is out of place or not in its only spelling" },
-	{ "frame-0", FRAME("0 1 00000000"), NULL, "frame and number of frames are not 1 <= k <= n <= 1000000" },
-	{ "frame-2-of-1", FRAME("2 1 00000000"), NULL, "frame and number of frames are not 1 <= k <= n <= 1000000" },
+	{ "frame-0", FRAME("0 1 00000000"), NULL,
+		"frame and number of frames are not 1 <= k <= n <= 1000000" },
+	{ "frame-2-of-1", FRAME("2 1 00000000"), NULL,
+		"frame and number of frames are not 1 <= k <= n <= 1000000" },
 	{ "frames-1000001", FRAME("1 1000001 00000000"), NULL,
 	    "frame and number of frames are not 1 <= k <= n <= 1000000" },
 	{ "frames-1-plus-2-to-32", FRAME("1 4294967297 00000000"), NULL,
@@ -426,27 +438,33 @@ static const struct Bad {
 	    "the support of channel x does not suit a grid of 5 x 4 nodes" },
 	{ "channel-border-1-plus-2-to-32", CHANNEL("channel x 1 border 4294967297\n"), NULL,
 	    "the support of channel x does not suit a grid of 5 x 4 nodes" },
-	{ "channel-lattice-negative", CHANNEL("channel x 1 lattice -1\n"), NULL, "header line 5 is malformed" },
+	{ "channel-lattice-negative", CHANNEL("channel x 1 lattice -1\n"), NULL,
+		"header line 5 is malformed" },
 	{ "meta-twice", MORE("meta a b\nmeta a c\n"), NULL, "meta key a is there twice" },
 	{ "meta-without-value", MORE("meta a\n"), NULL, "meta line 1 is not a key and a value" },
 	{ "meta-key-slash", MORE("meta a/b c\n"), NULL, "meta line 1 is not a key and a value" },
 	{ "meta-key-of-64", MORE("meta " S32 S32 " b\n"), NULL, "meta line 1 is not a key and a value" },
 	{ "meta-value-ends-in-space", MORE("meta a b \n"), NULL, "meta line 1 is not text, or too long" },
 	{ "meta-value-control", MORE("meta a \x1b[2J\n"), NULL, "meta line 1 is not text, or too long" },
-	{ "meta-value-c1-control", MORE("meta a \xc2\x9b""2J\n"), NULL, "meta line 1 is not text, or too long" },
+	{ "meta-value-c1-control", MORE("meta a \xc2\x9b""2J\n"), NULL,
+		"meta line 1 is not text, or too long" },
 	{ "meta-value-not-utf8", MORE("meta a \xff\n"), NULL, "meta line 1 is not text, or too long" },
-	{ "meta-value-utf8-overlong", MORE("meta a \xc0\xaf\n"), NULL, "meta line 1 is not text, or too long" },
-	{ "meta-value-surrogate", MORE("meta a \xed\xa0\x80\n"), NULL, "meta line 1 is not text, or too long" },
+	{ "meta-value-utf8-overlong", MORE("meta a \xc0\xaf\n"), NULL,
+		"meta line 1 is not text, or too long" },
+	{ "meta-value-surrogate", MORE("meta a \xed\xa0\x80\n"), NULL,
+		"meta line 1 is not text, or too long" },
 	{ "history-empty", MORE("history \n"), NULL, "history line 1 is not text, or too long" },
 	{ "history-tab", MORE("history x\ty\n"), NULL, "history line 1 is not text, or too long" },
 	{ "history-line-of-4001", NULL, longline, "history line 1 is not text, or too long" },
-	{ "order-height-before-size", "lhg 1\nheight 1\nsize 5 4\nframe 1 1 00000000\nchannel x 1 grid\n", NULL,
+	{ "order-height-before-size", "lhg 1\nheight 1\nsize 5 4\nframe 1 1 00000000\nchannel x 1 grid\n",
+		NULL,
 	    "header line 2 is out of place or not in its only spelling" },
 	{ "order-history-before-meta", MORE("history x\nmeta a b\n"), NULL,
 	    "header line 6 is out of place or not in its only spelling" },
 	{ "order-meta-before-channel", CHANNEL("meta a b\nchannel x 1 grid\n"), NULL,
 	    "header line 5 is out of place or not in its only spelling" },
-	{ "line-size-twice", "lhg 1\nsize 5 4\nsize 5 4\nheight 1\nframe 1 1 00000000\nchannel x 1 grid\n", NULL,
+	{ "line-size-twice", "lhg 1\nsize 5 4\nsize 5 4\nheight 1\nframe 1 1 00000000\nchannel x 1 grid\n",
+		NULL,
 	    "header line 3 is out of place or not in its only spelling" },
 	{ "line-height-missing", "lhg 1\nsize 5 4\nframe 1 1 00000000\nchannel x 1 grid\n", NULL,
 	    "height is not a positive number" },

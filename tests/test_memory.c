@@ -104,7 +104,8 @@ mapped(int way)
 	};
 	SpdReport report;
 	Conformal c;
-	int e = conformal_grid(&disk, corner, (Chart){ 9, 7, 1, &CHART_RECTANGLE }, &options[way], &c, &report);
+	int e = conformal_grid(&disk, corner, (Chart){ 9, 7, 1, &CHART_RECTANGLE }, &options[way], &c,
+		&report);
 
 	if (!e)
 		conformal_free(&c);
@@ -134,7 +135,8 @@ solved(int way)
 	static const double end[2] = { 1, 1 };
 	double phi[3][NODES], start[3][NODES], lambda[NODES], H[NODES];
 	double *x[3] = { phi[0], phi[1], phi[2] };
-	Surface s = { .g = { NU, NV, 1, &CHART_RECTANGLE }, .lambda = lambda, .H = H, .start_chart = { NU, NV, 1, &CHART_RECTANGLE },
+	Surface s = { .g = { NU, NV, 1, &CHART_RECTANGLE }, .lambda = lambda, .H = H,
+		.start_chart = { NU, NV, 1, &CHART_RECTANGLE },
 	    .start_end = { end[0], end[1] }, .start = way ? NULL : start[0] };
 	FitOptions o = { 1e-4, 50, 1, NULL, NULL };
 	FitProgress at;

@@ -89,9 +89,12 @@ off_rules(void **state)
 	    "8 numbers after the 3 corners of face 0");
 	refuses("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n", MESH_EFORMAT,
 	    "line 7: '3' is not expected after the last face");
-	refuses("OFF\n3 1 0\n0 0 0\n1 0 0 \n0 1 0\n3 0 1 3\n", MESH_EINDEX, "face 0 refers to vertex 3, there are 3");
-	refuses("OFF\n3 1 0\n0 0 0\n1 0 0 \n0 1 0\n3 0 1 -1\n", MESH_EINDEX, "face 0 refers to vertex -1, there are 3");
-	refuses("OFF\n3 1 0\n0 0 0\n1 0 0 \n0 1 0\n3 0 1 4294967296\n", MESH_EINDEX, "vertex 4294967296, there are 3");
+	refuses("OFF\n3 1 0\n0 0 0\n1 0 0 \n0 1 0\n3 0 1 3\n", MESH_EINDEX,
+		"face 0 refers to vertex 3, there are 3");
+	refuses("OFF\n3 1 0\n0 0 0\n1 0 0 \n0 1 0\n3 0 1 -1\n", MESH_EINDEX,
+		"face 0 refers to vertex -1, there are 3");
+	refuses("OFF\n3 1 0\n0 0 0\n1 0 0 \n0 1 0\n3 0 1 4294967296\n", MESH_EINDEX,
+		"vertex 4294967296, there are 3");
 	refuses("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n", MESH_EFORMAT, "'1.5' is not a vertex number");
 	refuses("OFF\n3 1 0\n0.00 0.00 0.00\n1 0 0\n0 1\n", MESH_EFORMAT, "file ends in vertex 2 of 3");
 }
@@ -181,23 +184,32 @@ ply_rules(void **state)
 	refuses("ply\nelement vertex -1\n", MESH_EFORMAT, "'-1' is not a number of records");
 	refuses("ply\nproperty float x\n", MESH_EFORMAT, "before the first element");
 	refuses("ply\nelement vertex 1\nproperty real x\n", MESH_EFORMAT, "'real' is not a type");
-	refuses("ply\nelement face 1\nproperty list float int vertex_indices\n", MESH_EFORMAT, "to count with");
-	refuses("ply\nelement vertex 1\nproperty int x\nproperty int x\n", MESH_EFORMAT, "'x' is not a new name");
+	refuses("ply\nelement face 1\nproperty list float int vertex_indices\n", MESH_EFORMAT,
+		"to count with");
+	refuses("ply\nelement vertex 1\nproperty int x\nproperty int x\n", MESH_EFORMAT,
+		"'x' is not a new name");
 	refuses("ply\nelement vertex 0\nproperty int x\nend_header\n", MESH_EFORMAT, "no format line");
-	refuses("ply\nformat ascii 1.0\nelement vertex 0\nproperty int x\nend_header\n", MESH_EFORMAT, "lack x, y or z");
+	refuses("ply\nformat ascii 1.0\nelement vertex 0\nproperty int x\nend_header\n", MESH_EFORMAT,
+		"lack x, y or z");
 	refuses("ply\nformat ascii 1.0\nend_header\n", MESH_EFORMAT, "no element vertex");
-	refuses(HEAD("ascii", "0") "element vertex 0\nend_header\n", MESH_EFORMAT, "'vertex' is not a new element");
+	refuses(HEAD("ascii", "0") "element vertex 0\nend_header\n", MESH_EFORMAT,
+		"'vertex' is not a new element");
 	refuses(HEAD("ascii", "0") "element face 0\nend_header\n", MESH_EFORMAT, "lack a list vertex_indices");
 	refuses("ply\nnonsense\n", MESH_EFORMAT, "header line 2: 'nonsense' is not a header keyword");
 	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 1\n", MESH_EINDEX,
 	    "face 0 refers to vertex 1, there are 1");
-	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 -1\n", MESH_EINDEX, "refers to vertex -1, there are 1");
-	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 .5\n", MESH_EFORMAT, "face 0 has 0.5 where");
-	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n-3 0 0 0\n", MESH_EFORMAT, "face 0 has -3 where");
+	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 -1\n", MESH_EINDEX,
+		"refers to vertex -1, there are 1");
+	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 .5\n", MESH_EFORMAT,
+		"face 0 has 0.5 where");
+	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n-3 0 0 0\n", MESH_EFORMAT,
+		"face 0 has -3 where");
 	refuses(HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 0\n9", MESH_EFORMAT, "1 bytes follow");
-	refuses(HEAD("ascii", "0") "element a\x1b[2J 1\nproperty list int int q\nend_header\n-1\n", MESH_EFORMAT,
+	refuses(HEAD("ascii", "0") "element a\x1b[2J 1\nproperty list int int q\nend_header\n-1\n",
+		MESH_EFORMAT,
 	    "a?[2J 0 has -1 where a whole number belongs");
-	refuses(HEAD("ascii", "1") FACES("2") "end_header\n0 0 0\n3 0 0 0\n 3 0", MESH_EFORMAT, "file ends in face 1 of 2");
+	refuses(HEAD("ascii", "1") FACES("2") "end_header\n0 0 0\n3 0 0 0\n 3 0", MESH_EFORMAT,
+		"file ends in face 1 of 2");
 	refuses(HEAD("ascii", "2") "end_header\n0 0 0\n0 inf 0\n", MESH_EVALUE, "vertex 1");
 }
 
@@ -235,7 +247,8 @@ stl_rules(void **state)
 	reads("  SOLID\r\n" FACET FACET "endsolid\nsolid 2\n" FACET "endsolid", 9, "0 1 2/3 4 5/6 7 8");
 	refuses("solid a\n" FACET, MESH_EFORMAT, "file ends after facet 0: no 'endsolid'");
 	refuses("solid a\n" FACET "facet normal 0 0", MESH_EFORMAT, "file ends in facet 1");
-	refuses("solid a\n" FACET "facet normal 0 0 1 outer endloop", MESH_EFORMAT, "'endloop' where 'loop' belongs");
+	refuses("solid a\n" FACET "facet normal 0 0 1 outer endloop", MESH_EFORMAT,
+		"'endloop' where 'loop' belongs");
 	refuses("solid a\n" FACET "vertex", MESH_EFORMAT, "'vertex' where 'facet' belongs");
 	refuses("solid a\nfacet normal 0 0 z", MESH_EFORMAT, "'z' is not a number");
 	bin[80] = 1;
@@ -287,7 +300,8 @@ limit(const struct rlimit *old)
 static void
 hostile_counts(void **state)
 {
-	static const char *const count[] = { "4000000000", "-1", "2147483648", "2147483647", "1000000000000000000",
+	static const char *const count[] = { "4000000000", "-1", "2147483648", "2147483647",
+		"1000000000000000000",
 	    "99999999999999999999999999" };
 	static const char *const text[] = {
 		"OFF\n%s 1 0\n0 0 0\n3 0 0 0\n", "OFF\n1 %s 0\n0 0 0\n3 0 0 0\n", "OFF\n1 1 0\n0 0 0\n%s 0 0 0\n",
@@ -296,7 +310,8 @@ hostile_counts(void **state)
 		HEAD("ascii", "1") FACES("%s") "end_header\n0 0 0\n3 0 0 0\n",
 		HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n%s 0 0 0\n",
 		HEAD("ascii", "1") FACES("1") "end_header\n0 0 0\n3 0 0 %s\n",
-		HEAD("ascii", "1") "element tristrips %s\nproperty list int int vertex_indices\nend_header\n0 0 0\n3 0 0 0\n",
+		HEAD("ascii",
+			"1") "element tristrips %s\nproperty list int int vertex_indices\nend_header\n0 0 0\n3 0 0 0\n",
 		HEAD("ascii", "1") "element e %s\nproperty int a\nend_header\n0 0 0\n3 0 0 0\n"
 	};
 	struct rlimit old;
@@ -327,7 +342,8 @@ hostile_counts(void **state)
 static Mesh
 fan(int k)
 {
-	Mesh m = { k + 2, k, malloc((size_t)(k + 2) * 3 * sizeof(double)), malloc((size_t)k * 3 * sizeof(int)) };
+	Mesh m = { k + 2, k, malloc((size_t)(k + 2) * 3 * sizeof(double)),
+		malloc((size_t)k * 3 * sizeof(int)) };
 	int i;
 
 	for (i = 0; i < k + 2; i++) {
@@ -597,9 +613,11 @@ deflated(const char *bytes, size_t n, unsigned char *out, size_t room)
 static void
 first_bytes_tell_a_mesh(void **state)
 {
-	static const char *const good[] = { "OFF\n3 1 0\n", "v 0 0 0\n", "ply\nformat ascii 1.0\n", "solid a\n",
+	static const char *const good[] = { "OFF\n3 1 0\n", "v 0 0 0\n", "ply\nformat ascii 1.0\n",
+		"solid a\n",
 	    "# a comment\n\n", "\x1f\x8b\b", "\xef\xbb\xbfOFF\n3" };
-	static const char *const bad[] = { "y\ny\n", "hello ", "<html> ", "lhg 1\nu ", "plywood ", "\x89HDF\r\n " };
+	static const char *const bad[] = { "y\ny\n", "hello ", "<html> ", "lhg 1\nu ", "plywood ",
+		"\x89HDF\r\n " };
 	unsigned char z[500];
 	char head[1000], err[MESH_ERRLEN];
 	size_t i, n;
@@ -777,8 +795,9 @@ obj_uv(void **state)
 	(void)state;
 	readsuv(TRI VT "f 1/1 2/2 3/3\n", 0, 3, uv);
 	readsuv("# lhgrid T 0.75\n" TRI VT "f 1/1 2/2 3/3\n", 0.75, 3, uv);
-	readsuv("# by hand\n#\n#lhgrid T 3\n# lhgrid 5\n" TRI "# lhgrid T 1e-3 # so\n" VT "f 1/1 2/2 3/3", 1e-3, 3, uv);
-	readsuv(TRI "v 1 1 0\n" VT "f 1/1/1 2/2/1 3/3/1 # lhgrid T 7\n", 0, 4, uv);   /* vertex 3 is in no face */
+	readsuv("# by hand\n#\n#lhgrid T 3\n# lhgrid 5\n" TRI "# lhgrid T 1e-3 # so\n" VT "f 1/1 2/2 3/3",
+		1e-3, 3, uv);
+	readsuv(TRI "v 1 1 0\n" VT "f 1/1/1 2/2/1 3/3/1 # lhgrid T 7\n", 0, 4, uv);   /* vertex 3: no face */
 	readsuv("f 1/1/7 2/2/7 3/3/7\n" VT TRI, 0, 3, uv);
 	readsuv(TRI VT "f 1/-3 2/-2 3/-1\n", 0, 3, uv);
 	readsuv(TRI VT "f 2/1 3/2 1/3\n", 0, 3, turned);
@@ -800,7 +819,7 @@ obj_uv(void **state)
 	refusesuv(TRI VT "# lhgrid T nan\nf 1/1 2/2 3/3\n", MESH_EVALUE, "is not a positive number");
 	refusesuv(TRI VT "f 1/1 2/2 4/3\n", MESH_EINDEX, "face 0 refers to vertex 3, there are 3");
 	refusesuv("OFF\n0 0 0\n", MESH_EFORMAT, "only OBJ and PLY carry (u,v)");
-	reads(TRI VT "f 1/1 2/2 3/3\nf 1/1 3/2 2/2\n", 3, "0 1 2/0 2 1");        /* a seam is allowed if (u,v) are not read */
+	reads(TRI VT "f 1/1 2/2 3/3\nf 1/1 3/2 2/2\n", 3, "0 1 2/0 2 1"); /* without (u,v) a seam is allowed */
 	reads(TRI "vt nan\n# lhgrid T x\nf 1/7 2/7 3/7\n", 3, "0 1 2");
 }
 
@@ -815,21 +834,27 @@ ply_uv(void **state)
 
 	(void)state;
 	for (i = 0; i < 3; i++) {
-		snprintf(text, sizeof text, PLYUV("comment lhgrid T .5\ncomment x\n", "property double %s\nproperty float %s\n")
+		snprintf(text, sizeof text, PLYUV("comment lhgrid T .5\ncomment x\n",
+			"property double %s\nproperty float %s\n")
 		    "%s", pair[i][0], pair[i][1], data);
 		readsuv(text, .5, 3, uv);
 	}
-	readsuv(PLYUV("", "property float u\nproperty float q\nproperty float t\nproperty float s\nproperty float v\n")
+	readsuv(PLYUV("",
+		"property float u\nproperty float q\nproperty float t\nproperty float s\nproperty float v\n")
 	    "0 0 0 9 9 .25 .5 9\n1 0 0 9 9 1 0 9\n0 1 0 9 9 -1 -1 9\n3 0 1 2\n", 0, 3, uv);      /* s t first */
-	refusesuv(PLYUV("", "property float s\nproperty float v\n") "0 0 0 0 0\n", MESH_EFORMAT, "vertices lack (u,v)");
+	refusesuv(PLYUV("", "property float s\nproperty float v\n") "0 0 0 0 0\n", MESH_EFORMAT,
+		"vertices lack (u,v)");
 	refusesuv(PLYUV("", "") "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", MESH_EFORMAT, "vertices lack (u,v)");
-	refusesuv(PLYUV("", "property list int int s\nproperty float t\n"), MESH_EFORMAT, "vertices lack (u,v)");
-	refusesuv(PLYUV("", "property float s\nproperty float t\n") "0 0 0 1 nan\n1 0 0 0 0\n0 1 0 0 0\n3 0 1 2\n",
+	refusesuv(PLYUV("", "property list int int s\nproperty float t\n"), MESH_EFORMAT,
+		"vertices lack (u,v)");
+	refusesuv(PLYUV("",
+		"property float s\nproperty float t\n") "0 0 0 1 nan\n1 0 0 0 0\n0 1 0 0 0\n3 0 1 2\n",
 	    MESH_EVALUE, "vertex 0 has a (u,v) that is not finite");
 	refusesuv("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float s\n"
 	    "property float t\nend_header\n0 0 0 0\n", MESH_EFORMAT, "vertices lack x, y or z");
 	refusesuv(PLYUV("comment lhgrid T inf\n", ""), MESH_EVALUE, "T 'inf' is not a positive number");
-	refusesuv(PLYUV("", "property float s\nproperty float s\nproperty float t\n"), MESH_EFORMAT, "not a new name");
+	refusesuv(PLYUV("", "property float s\nproperty float s\nproperty float t\n"), MESH_EFORMAT,
+		"not a new name");
 	refusesuv("ply\nformat ascii 1.0\nelement vertex 2000000000\nproperty int x\nproperty int y\nproperty int z\n"
 	    "property int s\nproperty int t\nend_header\n0 0 0 0 0\n", MESH_EFORMAT, "file has room for");
 }

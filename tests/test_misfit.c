@@ -20,7 +20,8 @@ static Residue residue = { { nu[0], nu[1] }, { tau[0], tau[1] } };
 static void
 surface_of_size(double size)
 {
-	double *x[3] = { phi, phi + N, phi + 2*N }, *const nus[2] = { nu[0], nu[1] }, *const taus[2] = { tau[0], tau[1] };
+	double *x[3] = { phi, phi + N, phi + 2*N }, *const nus[2] = { nu[0], nu[1] },
+		*const taus[2] = { tau[0], tau[1] };
 	int p;
 
 	sample_immersion(torus, chart, size, x, NULL, NULL);

@@ -377,7 +377,8 @@ degenerate_triangle_is_reported(void **state)
 		map("rectangle", size[s], &m);
 		t = &m.d.m.tri[3*(m.d.m.nf/2)];
 		memcpy(&m.d.m.xyz[3*(size_t)t[0]], &m.d.m.xyz[3*(size_t)t[1]], 3*sizeof(double));
-		assert_int_equal(rectmap(&m.d, NULL, m.corner, m.u, m.v, &m.T, &m.certificate, &report), SPD_EINDEFINITE);
+		assert_int_equal(rectmap(&m.d, NULL, m.corner, m.u, m.v, &m.T, &m.certificate, &report),
+			SPD_EINDEFINITE);
 		unmap(&m);
 	}
 }
@@ -388,7 +389,8 @@ upright(const Mesh *m)
 	int t;
 
 	for (t = 0; t < m->nf; t++) {
-		const double *a = &m->xyz[3*m->tri[3*t]], *b = &m->xyz[3*m->tri[3*t+1]], *c = &m->xyz[3*m->tri[3*t+2]];
+		const double *a = &m->xyz[3*m->tri[3*t]], *b = &m->xyz[3*m->tri[3*t+1]],
+			*c = &m->xyz[3*m->tri[3*t+2]];
 
 		if (!((b[0] - a[0])*(c[1] - a[1]) - (b[1] - a[1])*(c[0] - a[0]) > 0))
 			return 0;

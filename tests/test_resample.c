@@ -32,7 +32,8 @@ fill(Chart g, const double end[2], double (*f)(double, double), double *x)
 static void
 cubics_are_exact(void **state)
 {
-	static const Chart to[] = { { 23, 17, 0.8, &CHART_RECTANGLE }, { 12, 9, 0.8, &CHART_RECTANGLE }, { 6, 5, 0.8, &CHART_RECTANGLE }, { 40, 31, 0.8, &CHART_RECTANGLE } };
+	static const Chart to[] = { { 23, 17, 0.8, &CHART_RECTANGLE }, { 12, 9, 0.8, &CHART_RECTANGLE },
+		{ 6, 5, 0.8, &CHART_RECTANGLE }, { 40, 31, 0.8, &CHART_RECTANGLE } };
 	const double part[2] = { 0.9, 0.95 }, *ends[2] = { WHOLE, part };
 	Chart from = { 12, 9, 0.8, &CHART_RECTANGLE };
 	double f[12*9], e[40*31], want[40*31];
@@ -68,7 +69,8 @@ shared_nodes_keep_their_bits(void **state)
 static void
 means_keep_what_is_straight(void **state)
 {
-	static const Chart to[] = { { 12, 9, 0.8, &CHART_RECTANGLE }, { 11, 8, 0.8, &CHART_RECTANGLE }, { 9, 9, 0.8, &CHART_RECTANGLE } };
+	static const Chart to[] = { { 12, 9, 0.8, &CHART_RECTANGLE }, { 11, 8, 0.8, &CHART_RECTANGLE },
+		{ 9, 9, 0.8, &CHART_RECTANGLE } };
 	Chart from = { 23, 17, 0.8, &CHART_RECTANGLE };
 	double f[23*17], e[12*9], want[12*9];
 	int q;

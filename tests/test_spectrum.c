@@ -52,7 +52,8 @@ parseval(void **state)
 
 	(void)state;
 	for (i = 0; i < 4; i++) {
-		Spectrum s = { i%2 ? SPECTRUM_DFT : SPECTRUM_DCT, { i < 2 ? NU : NV, i < 2 ? NV : NU, 1, &CHART_RECTANGLE } };
+		Spectrum s = { i%2 ? SPECTRUM_DFT : SPECTRUM_DCT, { i < 2 ? NU : NV, i < 2 ? NV : NU, 1,
+			&CHART_RECTANGLE } };
 
 		random_field(f, 2);
 		random_field(h, 3);

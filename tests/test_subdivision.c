@@ -39,7 +39,8 @@ choose_on_sides(const Disk *d, uint64_t *rng, Chosen *c)
 
 			if (rng_unit(rng) < .4)
 				continue;
-			choose(c, twin >= 0 && rng_unit(rng) < .5 ? subdivision_on_side(twin, 1 - place) : subdivision_on_side(h, place));
+			choose(c, twin >= 0 && rng_unit(rng) < .5 ? subdivision_on_side(twin,
+				1 - place) : subdivision_on_side(h, place));
 			c->apart++;
 			c->boundary += twin < 0;
 			if (rng_unit(rng) < .3)
@@ -270,7 +271,8 @@ nothing_to_add(void **state)
 	synth_disk("face", 100, &y, &dom, &d, NULL);
 	assert_int_equal(subdivision_init(&s, &d), 0);
 	assert_int_equal(subdivision_add(&s, 0, NULL), 0);
-	assert_int_equal(subdivision_add(&s, 2, (SurfacePoint[]){ subdivision_on_side(4, 0), subdivision_on_side(7, 1) }), 0);
+	assert_int_equal(subdivision_add(&s, 2, (SurfacePoint[]){ subdivision_on_side(4, 0),
+		subdivision_on_side(7, 1) }), 0);
 	assert_int_equal(s.d.m.nv, d.m.nv);
 	assert_memory_equal(s.d.m.tri, d.m.tri, 3*d.m.nf*sizeof *d.m.tri);
 	assert_true(disks_is_disk(&s.d));

@@ -11,7 +11,8 @@
 static const Chart ROUGH = { 25, 24, 0.8, &CHART_RECTANGLE }, MIDDLE = { 49, 47, 0.8, &CHART_RECTANGLE }, COARSE = { 70, 67, 0.8, &CHART_RECTANGLE }, FINE = { 139, 133, 0.8, &CHART_RECTANGLE }, LATTICE = { 12, 10, 0.8, &CHART_RECTANGLE };
 enum { MOST = 139*133 };
 
-static double truth[3*MOST], found[3*MOST], kept[3*MOST], lambda[MOST], H[MOST], start[3*12*10], fine_start[3*70*67];
+static double truth[3*MOST], found[3*MOST], kept[3*MOST], lambda[MOST], H[MOST], start[3*12*10],
+	fine_start[3*70*67];
 static double again[3*MOST];
 static double nu[2][MOST], tau[2][MOST];
 static const FitOptions EXACT = { .tolerance = 1e-10, .most = 60, .sharpen = 1 };
@@ -36,7 +37,8 @@ given(Immersion *f, Chart g)
 	sample(f, LATTICE, start);
 	lambdah(g, phi, LAMBDAH_NORMAL, lambda, H);
 	lambdah_residue(g, phi, lambda, nus, taus);
-	return (Surface){ .g = g, .lambda = lambda, .H = H, .start_chart = LATTICE, .start_end = { 1, 1 }, .start = start };
+	return (Surface){ .g = g, .lambda = lambda, .H = H, .start_chart = LATTICE, .start_end = { 1, 1 },
+		.start = start };
 }
 
 /* Reconstructs from the given fields and `rings` rings; returns the largest difference to the
@@ -314,7 +316,8 @@ static void
 small_grids_are_solved(void **state)
 {
 	const FitOptions usual = { .tolerance = 1e-6, .most = 60, .sharpen = 1 };
-	static const Chart charts[] = { { 2, 2, 1, &CHART_RECTANGLE }, { 3, 3, 1, &CHART_RECTANGLE }, { 4, 9, 2, &CHART_RECTANGLE } };
+	static const Chart charts[] = { { 2, 2, 1, &CHART_RECTANGLE }, { 3, 3, 1, &CHART_RECTANGLE },
+		{ 4, 9, 2, &CHART_RECTANGLE } };
 	FitProgress at;
 	Surface s;
 	int k;

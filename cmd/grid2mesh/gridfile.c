@@ -26,7 +26,8 @@ gridfile_read_mesh(const char *path, Soup *s)
 }
 
 static void
-mesh_of_grid(const CmdInput *in, const Lhg *g, const double *const phi[3], const MeshFormat *format, char **bytes, size_t *n)
+mesh_of_grid(const CmdInput *in, const Lhg *g, const double *const phi[3], const MeshFormat *format,
+	char **bytes, size_t *n)
 {
 	Mesh m;
 	int left = 0, e = mesh_from_grid(&m, g->nu, g->nv, phi[0], phi[1], phi[2]);
@@ -46,8 +47,8 @@ mesh_of_grid(const CmdInput *in, const Lhg *g, const double *const phi[3], const
 }
 
 static void
-moved_mesh(const Lhg *g, const double *const phi[3], const Soup *on, const char *name, const MeshFormat *format,
-	char **bytes, size_t *n)
+moved_mesh(const Lhg *g, const double *const phi[3], const Soup *on, const char *name,
+	const MeshFormat *format, char **bytes, size_t *n)
 {
 	const Chart chart = chart_of(g);
 	const double *was = channel_values(&on->channels, MESH_UV);
@@ -72,8 +73,8 @@ moved_mesh(const Lhg *g, const double *const phi[3], const Soup *on, const char 
 }
 
 void
-gridfile_bytes(const CmdInput *in, const Lhg *g, const Soup *on, const char *onname, const MeshFormat *format,
-	char **bytes, size_t *n)
+gridfile_bytes(const CmdInput *in, const Lhg *g, const Soup *on, const char *onname,
+	const MeshFormat *format, char **bytes, size_t *n)
 {
 	const double *phi[3];
 

@@ -10,7 +10,7 @@ void gridfile_read_mesh(const char *path, Soup *s);
 
 /* The bytes of a mesh file of that format, or die: the nodes of the grid and two triangles for each
  * cell; or, if on is not NULL, the faces of on with its vertices moved to their (u,v) on the grid. */
-void gridfile_bytes(const CmdInput *in, const Lhg *g, const Soup *on, const char *onname, const MeshFormat *format,
-	char **bytes, size_t *n);
+void gridfile_bytes(const CmdInput *in, const Lhg *g, const Soup *on, const char *onname,
+	const MeshFormat *format, char **bytes, size_t *n);
 
 #endif

@@ -17,7 +17,8 @@ gridfit(const CmdInput *in, Lhg *g, int method, int follows, const SurfaceFit *o
 	Chart chart = chart_of(g);
 	double *phi;
 
-	claim(in->name, method == GRIDFIT_FRAME ? "the frame method" : "the surface method", (double)g->nu*g->nv,
+	claim(in->name, method == GRIDFIT_FRAME ? "the frame method" : "the surface method",
+		(double)g->nu*g->nv,
 	    8*(method == GRIDFIT_FRAME ? FRAME_NUMBERS : SURFACE_NUMBERS + follows*FOLLOW_NUMBERS));
 	phi = cmd_alloc(3*(size_t)g->nu*g->nv, sizeof *phi);
 	range_height(in, g);

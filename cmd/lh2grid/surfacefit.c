@@ -60,7 +60,8 @@ read_start(const CmdInput *in, const Lhg *g, Surface *s)
 	s->start_end[0] = (double)((g->nu - 1)/step*step)/(g->nu - 1);
 	s->start_end[1] = (double)((g->nv - 1)/step*step)/(g->nv - 1);
 	if (s->start_chart.nu < 2 || s->start_chart.nv < 2)
-		die("%s: the start has %d x %d nodes, need at least 2 x 2", in->name, s->start_chart.nu, s->start_chart.nv);
+		die("%s: the start has %d x %d nodes, need at least 2 x 2", in->name, s->start_chart.nu,
+			s->start_chart.nv);
 	s->start = start;
 	return start;
 }
@@ -124,10 +125,12 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi)
 	}
 	switch (surface(&s, &how, phi, &at)) {
 	case 1: break;
-	case 0: die("%s: no convergence in %d steps: energy %.4g, change %.2g, the largest residual at node (%d,%d)",
+	case 0:
+		die("%s: no convergence in %d steps: energy %.4g, change %.2g, the largest residual at node (%d,%d)",
 	    in->name, at.step, at.energy, at.change, (int)(at.worst%g->nu), (int)(at.worst/g->nu));
 	case SURFACE_ESTART: die("%s: no start, and the frame method finds none from the band", in->name);
-	case SURFACE_EPLACE: die("%s: the %s is too large to place the surface by it", in->name, s.adrift ? "start" : "band");
+	case SURFACE_EPLACE: die("%s: the %s is too large to place the surface by it", in->name,
+		s.adrift ? "start" : "band");
 	default: die("%s: no memory for the surface of %d x %d nodes", in->name, g->nu, g->nv);
 	}
 	detail("%s: %.1f vector Poisson solves of %d x %d nodes, %.2f s", in->name, at.cost, g->nu, g->nv,

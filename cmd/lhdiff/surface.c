@@ -38,7 +38,8 @@ faces(const char *name, const Soup *soup, Disk *d)
 {
 	char fault[MESH_ERRLEN];
 
-	range_positions(name, (size_t)soup->nv, 3, (const double *[]){ soup->xyz, soup->xyz + 1, soup->xyz + 2 });
+	range_positions(name, (size_t)soup->nv, 3, (const double *[]){ soup->xyz, soup->xyz + 1,
+		soup->xyz + 2 });
 	if (disk_from_soup(d, soup)) {
 		memcpy(fault, d->err, sizeof fault);
 		if (disk_loose(d, soup))

@@ -83,7 +83,8 @@ clamp(const CmdInput *in, const Lhg *g, double floor)
 			count++;
 		}
 	if (count)
-		note("%s: lambda raised to %g, its minimum before filtering, at %zu of %zu nodes", in->name, floor, count, n);
+		note("%s: lambda raised to %g, its minimum before filtering, at %zu of %zu nodes", in->name,
+			floor, count, n);
 }
 
 /* Returns whether f has changed. */

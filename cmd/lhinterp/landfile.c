@@ -6,7 +6,7 @@
 #include "../shared/cmd.h"
 #include "landfile.h"
 
-static const double FAR = 0.05;         /* share of the boundary's length: a note for points farther from it */
+static const double FAR = 0.05;         /* share of the boundary's length; farther points get a note */
 
 typedef struct Landmarks {
 	const char *name;       /* of the file */
@@ -122,7 +122,8 @@ landfile_match(const char *path, const Border *a, const Border *b, Matching *m)
 	switch (matching_init(m, a, b, l.n, l.place[0], l.place[1], &at)) {
 	case 0: break;
 	case MATCHING_ENOMEM: die("no memory for %d landmarks", l.n);
-	default: die("%s: line %d: the boundary has no length between this landmark and the next", l.name, l.line[at]);
+	default: die("%s: line %d: the boundary has no length between this landmark and the next", l.name,
+		l.line[at]);
 	}
 	free(bytes);
 	free(s);

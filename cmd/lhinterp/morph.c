@@ -65,7 +65,8 @@ match(Morph *m, const char *landmarks)
 }
 
 void
-morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks, int scaled, int aligned)
+morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks, int scaled,
+	int aligned)
 {
 	memset(m, 0, sizeof *m);
 	cmd_open(&m->A, pathA);

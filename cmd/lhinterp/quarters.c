@@ -9,7 +9,7 @@ enum { SIDE = 128 };                    /* points on each side */
 
 /* Distances are root mean squares between the borders after the best rigid motion, in units of
  * their size. */
-static const double CLEAR = 1.5;        /* a fit is clearly better if the distance is less by this factor, */
+static const double CLEAR = 1.5;        /* a fit is clearly better if it is closer by this factor, */
 static const double FAR = 0.1;          /* provided that it was more than this; */
 static const double TURN = M_PI/3;      /* or if B is rotated less in space, by more than this angle */
 static const double NEAR = 1.25;        /* distances within this factor count as equal */

@@ -17,7 +17,8 @@ opt_uv(const char *file, const char *mesh)
 	char list[MESHFORMAT_LIST];
 
 	if (!format || !(format->can & MESHFORMAT_UV))
-		misuse("--uv=%s: need a name that ends in %s", file, meshformat_ends(MESHFORMAT_UV | MESHFORMAT_WRITE, list));
+		misuse("--uv=%s: need a name that ends in %s", file,
+			meshformat_ends(MESHFORMAT_UV | MESHFORMAT_WRITE, list));
 	if (out ? same_file(file, out) : same_as_stream(file, STDOUT_FILENO))
 		misuse("--uv=%s: the grid is written there, by --output", file);
 	if (cmd_name_of(mesh) == mesh ? same_file(file, mesh) : same_as_stream(file, STDIN_FILENO))

@@ -56,7 +56,8 @@ close_descriptor(void *cookie)
 FILE *
 descriptor_stream(int fd, const char *mode)
 {
-	return fopencookie((void *)(intptr_t)fd, mode, (cookie_io_functions_t){ read_some, write_all, NULL, close_descriptor });
+	return fopencookie((void *)(intptr_t)fd, mode, (cookie_io_functions_t){ read_some, write_all, NULL,
+		close_descriptor });
 }
 
 /* Without this a file opened later would get one of these numbers, and results or messages would
@@ -64,7 +65,7 @@ descriptor_stream(int fd, const char *mode)
 int
 descriptor_fill(void)
 {
-	static const int mode[3] = { O_WRONLY, O_RDONLY, O_RDWR };      /* 0, 1: the wrong direction, so that use is an error */
+	static const int mode[3] = { O_WRONLY, O_RDONLY, O_RDWR };      /* 0, 1: opened so that use fails */
 	int fd;
 
 	for (fd = 0; fd < 3; fd++)

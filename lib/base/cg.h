@@ -29,6 +29,7 @@ typedef struct CgResult {
 /* x  in/out  in: the start; out: the solution
  * r  in/out  in: the residual b - A x of the start; out: the residual before or after the last step
  * z, p, q    workspace of n numbers each */
-CgResult cg(const CgSystem *s, const CgLimits *limits, double *x, double *r, double *z, double *p, double *q);
+CgResult cg(const CgSystem *s, const CgLimits *limits, double *x, double *r, double *z, double *p,
+	double *q);
 
 #endif

@@ -23,7 +23,8 @@ axis_free(Axis *a)
 static int
 axis_init(Axis *a, int n, int most)
 {
-	*a = (Axis){ n, most, malloc(n*sizeof(int)), malloc(n*sizeof(int)), malloc((size_t)n*most*sizeof(double)) };
+	*a = (Axis){ n, most, malloc(n*sizeof(int)), malloc(n*sizeof(int)),
+		malloc((size_t)n*most*sizeof(double)) };
 	return a->first && a->count && a->weight ? 0 : RESAMPLE_ENOMEM;
 }
 

@@ -58,7 +58,8 @@ stencil_at(Chart g, int axis, int order, int i, int j)
 }
 
 void
-stencil_second_form(Chart g, const double *const phi[3], int i, int j, double uu[3], double uv[3], double vv[3])
+stencil_second_form(Chart g, const double *const phi[3], int i, int j, double uu[3], double uv[3],
+	double vv[3])
 {
 	Stencil u = stencil_at(g, 0, 2, i, j), v = stencil_at(g, 1, 2, i, j);
 	double h = chart_h(g), k = chart_k(g);

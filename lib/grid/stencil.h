@@ -228,8 +228,8 @@ quad_differences(const Quad *q, const double *f, Nodes u[3], Nodes v[3], Nodes L
  *               directions of u and v that hold there
  * out      out  row j, other nodes untouched */
 INLINE void
-stencil_transposed(Chart g, Range r, const double *u, const double *const v[3], const double *const L[3],
-	double *out)
+stencil_transposed(Chart g, Range r, const double *u, const double *const v[3],
+	const double *const L[3], double *out)
 {
 	double h = chart_steps(g, 0), k = chart_steps(g, 1)/g.T;        /* inverse steps */
 	const double *below = v[0], *above = v[2], *L0 = L[0], *L1 = L[1], *L2 = L[2];

@@ -7,7 +7,7 @@
 static const double REACH = 1.0/40;             /* first reach (corners.h), of the length of the loop */
 static const double SHORT = 1.5;                /* last reach, in mean edges of the loop */
 static const double CLEAR = 50*M_PI/180;        /* least turning angle of a corner */
-static const double NEXT = 0.6;                 /* largest turn of the fifth vertex over that of the fourth */
+static const double NEXT = 0.6;                 /* largest ratio of the fifth turn to the fourth */
 
 /* The boundary by arc length: s[i] from the start to loop vertex i, s[nb] its length. */
 static double *

@@ -307,7 +307,8 @@ ends_of_cuts(const Split *s, int nv))[2]
 int
 refine_split(const Disk *d, const unsigned char *marked, Disk *finer, int (**ends)[2])
 {
-	Split s = { .similar = !marked, .d = d, .t = { .nv = d->m.nv, .nf = d->m.nf, .tri = d->m.tri, .twin = d->twin } };
+	Split s = { .similar = !marked, .d = d, .t = { .nv = d->m.nv, .nf = d->m.nf, .tri = d->m.tri,
+		.twin = d->twin } };
 	size_t sides = 3*(size_t)d->m.nf;
 	int e = MESH_ENOMEM;
 

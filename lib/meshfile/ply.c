@@ -8,7 +8,7 @@ typedef struct Record {
 	Ply *p;
 	const PlyElem *e;
 	long long i;
-	long long a, b, turn;   /* of a strip: the last two corners, and the count of corners since a restart */
+	long long a, b, turn;   /* of a strip: its last two corners, and their count since a restart */
 	double x[PLY_USES];
 } Record;
 

@@ -6,7 +6,7 @@
 
 #include "outline.h"
 
-static const double WAVES = 8;          /* a wave with so many periods round the curve is damped to 1/e */
+static const double WAVES = 8;          /* a wave with this many periods is damped to 1/e */
 
 /* Arc length of the closed polygon x from its start to point i, 0 .. n. */
 static int

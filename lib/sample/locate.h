@@ -11,8 +11,8 @@ typedef struct Locator {
 	int          *start;    /* [ny][nx] a triangle near each cell of a table over the chart */
 	int           nx, ny;
 	double        T;
-	int           corner[4];        /* a side 3*t + k whose triangle t has its corner k at (0,0), (1,0), (0,T),
-	                                 * (1,T); -1 if there is none */
+	int           corner[4];        /* a side 3*t + k whose triangle t has its corner k at
+	                                 * (0,0), (1,0), (0,T), (1,T); -1 if there is none */
 } Locator;
 
 /* Prepares to locate points of [0,1] x [0,T] in d mapped by u, v, which must outlive l.

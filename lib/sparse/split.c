@@ -23,7 +23,7 @@
 enum {
 	BAND = 2,               /* about how many edges the band reaches to either side */
 	AGAIN = 4,
-	LARGE = 3,              /* a separator is small up to LARGE sqrt(n) vertices; about sqrt(n) are usual */
+	LARGE = 3,              /* a small separator has up to LARGE sqrt(n) vertices; sqrt(n) is usual */
 	HUB = 24,               /* a vertex is a hub if it has more neighbours than HUB.. */
 	HUB_SHARE = 4,          /* ..and than sqrt(n)/HUB_SHARE */
 	SAMPLE = 1024,          /* vertices that suffice to find a level and its cost.. */
@@ -154,7 +154,8 @@ static void
 split_at_level(const Piece *p, signed char *side, int *work)
 {
 	static const int widths[4] = { 2*BAND, 2*BAND, 3*BAND, 3*BAND };
-	int stride = p->g.n/SAMPLE < STRIDE ? 1 + p->g.n/SAMPLE : STRIDE, i, x, n, level, best = 0, least = INT32_MAX, middle = 0;
+	int stride = p->g.n/SAMPLE < STRIDE ? 1 + p->g.n/SAMPLE : STRIDE, i, x, n, level, best = 0,
+		least = INT32_MAX, middle = 0;
 
 	for (i = 0; i < 4; i++) {
 		level = median(p, i, stride, work);

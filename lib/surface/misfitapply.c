@@ -104,7 +104,8 @@ result_row(const Misfit *m, double *const f[3], int j, double *g)
 }
 
 static void
-result_rows(const Misfit *m, const double *phi, const double *d, int from, int to, double *work, double *g)
+result_rows(const Misfit *m, const double *phi, const double *d, int from, int to, double *work,
+	double *g)
 {
 	size_t rows = 9*row_length(m);
 	double *f[3] = { work, work + rows, work + 2*rows }, *free;

@@ -10,7 +10,7 @@
 #include "surface.h"
 
 enum { COARSEST = 65*65 };      /* fewest nodes of a coarse grid */
-static const double SQUARE = 1.5;       /* ratio of the sides of a cell up to which both are coarsened */
+static const double SQUARE = 1.5;       /* both axes are coarsened up to this ratio of the steps */
 static const double ENOUGH = 1e-4;      /* tolerance of coarse grids */
 enum { ROUGH = 12 };            /* most steps on coarse grids */
 static const double WHOLE[2] = { 1, 1 };
@@ -57,7 +57,8 @@ level_free(Level *l)
 
 /* Interpolates f from another grid, times a factor, into phi, but not into its outer rings. */
 static int
-interpolate(Chart from, const double end[2], const double *f, double factor, Chart g, int rings, double *phi)
+interpolate(Chart from, const double end[2], const double *f, double factor, Chart g, int rings,
+	double *phi)
 {
 	double *t = malloc(nodes(g)*sizeof *t);
 	int c, i, j, e = t ? 0 : SURFACE_ENOMEM;
