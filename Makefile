@@ -12,7 +12,7 @@
 #   make coverage             lines that the tests run, by file (minutes)
 #   make soak                 in full the tests that make check only samples (minutes)
 #   make fuzz FUZZ_SECONDS=60 hostile inputs, so long for each target (clang)
-#   make paper                the paper's tables and figures on our surfaces, build/paper/report.md (minutes)
+#   make paper                the paper's tables and figures, in build/paper/report.md (minutes)
 
 include config.mk
 
@@ -30,7 +30,7 @@ ifdef SANITIZE
 ALL_CFLAGS   += -fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer
 ALL_CXXFLAGS += -fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer
 LDFLAGS      += -fsanitize=$(SANITIZE)
-LIBCFLAGS    :=                         # with which gcc warns of what is not there
+LIBCFLAGS    :=                         # under sanitizers gcc gives false warnings with them
 endif
 
 LIBOBJ   := $(patsubst %,$(BUILD)/%.o,$(basename $(wildcard format/*.c lib/*/*.c lib/*/*.cc)))

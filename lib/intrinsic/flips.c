@@ -7,7 +7,7 @@
 #include "flips.h"
 
 enum { FLIPS = 20, SOME = 200000 };     /* flips at most: FLIPS per triangle and SOME */
-enum { TIES = 1 };                      /* flips per triangle, at most, between equal choices */
+enum { TIES = 1 };                      /* at most, flips per triangle of edges already Delaunay */
 static const double COCIRCULAR = 1e-10; /* two cotangents count as opposite if their sum is this small,
                                          * relative to them or to 1: either diagonal is Delaunay */
 static const double EQUAL = 1e-9;       /* relative difference of equal lengths, or keys */

@@ -8,7 +8,7 @@
 
 static const double THIN = 1e-7;        /* least excess of two sides over the third, in units of the
                                          * shortest */
-enum { PASSES = 100 };                  /* of mollification, at most */
+enum { PASSES = 100 };                  /* rounds of mollification, at most */
 static const double STEEPEST = 1e10;    /* largest cotangent: beside a larger one other weights would
 					 * be lost to rounding */
 

@@ -62,7 +62,7 @@ typedef struct Disk {
 	int  nb;
 	int *loop;              /* [nb] the boundary, counterclockwise (faces on its left),
 	                         * beginning at its lowest vertex number */
-	int *twin;              /* [3*m.nf] the side across, -1 on the boundary; side 3*t+k goes
+	int *twin;              /* [3*m.nf] the side of the neighbour, -1 on the boundary; side 3*t+k goes
 	                         * from corner k of triangle t to the next */
 	int *file;              /* [m.nv] the number of each vertex in its soup; of welded ones the
 	                         * lowest */
