@@ -14,7 +14,8 @@ static const char text[] =
 "Drops Fourier coefficients of lambda and H: small ones, or those of short waves.  Reads and\n"
 "writes channels lambda H; other channels and metadata pass through.  A list of numbers makes\n"
 "a stream of the one grid of the input: a grid for each number, in this order, with the number\n"
-"in its metadata.\n"
+"in its metadata.  The metadatum waves says what is kept, for grid2mesh --detail=smooth: the\n"
+"cycles per width up to which there are as many waves.\n"
 "  -K, --bound=X      drop the coefficients C with |C| <= X percent of the field's root\n"
 "                     mean square, that is with |C|/(nodes rms) 100 <= X; 0 changes\n"
 "                     nothing; X >= 0\n"
@@ -76,6 +77,7 @@ write_scales(const CmdInput *in, Lhg *g, const Scales *s)
 	double *lambda = cmd_need(in, g, "lambda", LHG_GRID), *H = cmd_need(in, g, "H", LHG_GRID);
 	size_t n = (size_t)g->nu*g->nv;
 	double *was = cmd_alloc(2*n, sizeof *was);
+	const double before = scales_waves(g);
 	int k;
 
 	memcpy(was, lambda, n*sizeof *was);
@@ -85,7 +87,7 @@ write_scales(const CmdInput *in, Lhg *g, const Scales *s)
 		g->frame = k + 1;
 		if (s->n > 1)
 			cmd_meta(g, s->option, "%.10g", s->bound[k]);
-		scales_apply(s, k, in, g);
+		scales_apply(s, k, before, in, g);
 		cmd_write(g);
 		memcpy(lambda, was, n*sizeof *was);
 		memcpy(H, was + n, n*sizeof *was);
@@ -136,7 +138,7 @@ main(int argc, char *argv[])
 		lhg_free(&g);
 	} else
 		while (cmd_read(&in, &g)) {
-			scales_apply(&s, 0, &in, &g);
+			scales_apply(&s, 0, scales_waves(&g), &in, &g);
 			cmd_pass(&in, &g);
 			lhg_free(&g);
 		}

@@ -1,4 +1,5 @@
 /* scales.c - the filter options of lhfft, and their application to a grid. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -87,9 +88,9 @@ clamp(const CmdInput *in, const Lhg *g, double floor)
 			floor, count, n);
 }
 
-/* Returns whether f has changed. */
+/* Returns whether f has changed; *most is the larger of itself and the number of coefficients kept. */
 static int
-filter(const CmdInput *in, const Lhg *g, const char *name, double *f, SpectrumBasis basis, Filter by)
+filter(const CmdInput *in, const Lhg *g, const char *name, double *f, SpectrumBasis basis, Filter by, size_t *most)
 {
 	size_t kept, n = (size_t)g->nu*g->nv;
 	int changed = filter_field((Spectrum){ basis, chart_of(g) }, &by, f, &kept);
@@ -97,6 +98,7 @@ filter(const CmdInput *in, const Lhg *g, const char *name, double *f, SpectrumBa
 	if (changed < 0)
 		die("%s: no memory for the transform of %zu nodes", in->name, n);
 	detail("%s: %zu of %zu coefficients of %s kept", in->name, kept, n, name);
+	*most = kept > *most ? kept : *most;
 	return changed;
 }
 
@@ -133,19 +135,43 @@ scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g)
 	return f;
 }
 
+/* The metadatum waves: the radius, in cycles per width, of the quarter disk that holds as many cosines as the
+ * filter kept, pi waves^2 T; or that of an earlier filter, if it is smaller. */
+static void
+set_waves(Lhg *g, double before, size_t kept)
+{
+	const double waves = sqrt((double)kept/(M_PI*g->T));
+
+	cmd_meta(g, "waves", "%.6g", before > 0 && before < waves ? before : waves);
+}
+
+double
+scales_waves(const Lhg *g)
+{
+	char value[LHG_KEYLEN];
+
+	return lhg_getmeta(g, "waves", value, sizeof value) ? strtod(value, NULL) : 0;
+}
+
 /* A field of which no coefficient is dropped stays the same, bit for bit. */
 void
-scales_apply(const Scales *s, int k, const CmdInput *in, Lhg *g)
+scales_apply(const Scales *s, int k, double before, const CmdInput *in, Lhg *g)
 {
-	size_t n = (size_t)g->nu*g->nv, p;
+	size_t n = (size_t)g->nu*g->nv, p, most = 0;
+	int changed;
 	double floor = scales_need(in, g), K = s->bound[k], *lambda = lhg_find(g, "lambda")->f;
 	double *H = lhg_find(g, "H")->f, *f = scales_curvature(s, in, g);
 
-	filter(in, g, "lambda", lambda, s->basis, (Filter){ s->rule, s->lambda >= 0 ? s->lambda : K, s->log });
+	changed = filter(in, g, "lambda", lambda, s->basis, (Filter){ s->rule, s->lambda >= 0 ? s->lambda : K, s->log },
+	    &most);
 	if (!s->log)
 		clamp(in, g, floor);
-	if (filter(in, g, scales_name(s), f, s->basis, (Filter){ s->rule, s->H >= 0 ? s->H : K, 0 }))
+	if (filter(in, g, scales_name(s), f, s->basis, (Filter){ s->rule, s->H >= 0 ? s->H : K, 0 }, &most)) {
 		for (p = 0; p < n; p++)
 			H[p] = s->bending ? f[p]/lambda[p] : f[p];
+		changed = 1;
+	}
+	if (changed || s->n > 1)
+		set_waves(g, before, most);
 	free(f);
 }
