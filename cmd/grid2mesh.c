@@ -14,10 +14,14 @@ static const char text[] =
 "x_u cross x_v.  Every face has area: where a cell is flat it is split along the other diagonal,\n"
 "or its nodes are moved by a thousandth of a cell, for STL by what a float can tell apart.\n"
 "      --on=MESH      write MESH instead, with each vertex moved to its (u,v) on the grid\n"
-"                     (bicubic interpolation); faces and the order of vertices are kept.\n"
+"                     (bicubic interpolation), and by its offset from there if MESH has\n"
+"                     offsets; faces and the order of vertices are kept.\n"
 "                     MESH is {uv formats} with (u,v), written by mesh2rect --uv.  v is scaled\n"
 "                     if the grid has another height T; a vertex with (u,v) = (-1,-1) stays\n"
 "                     in place.  If FILE is {uv formats} too, it has the (u,v)\n"
+"      --detail=keep|drop|smooth  offsets in full, so that detail finer than the grid and\n"
+"                     limbs that it lost stay; none; or, for grids of lhfft, the less the\n"
+"                     shorter they are against its shortest waves (metadatum waves) [keep]\n"
 "  -o, --output=FILE  write FILE, in the format that its name ends in, {ends}\n"
 "                     [{stdout} to stdout].  For a stream of several grids the name must have a\n"
 "                     number, as in frame-%03d.off, which counts from 1.  Each file is written\n"
@@ -29,7 +33,8 @@ static const char text[] =
 "      --version      print the version\n";
 
 static const struct option longopt[] = {
-	{ "on", required_argument, NULL, 'O' },
+	{ "on",     required_argument, NULL, 'O' },
+	{ "detail", required_argument, NULL, 'd' },
 	CMD_LONGOPT
 };
 
@@ -85,16 +90,21 @@ main(int argc, char *argv[])
 	static char usage[FORMATS_USAGE];
 	char path[4096], list[MESHFORMAT_LIST], *bytes;
 	const char *name, *after, *on = NULL;
+	OnMesh mesh = { 0 };
 	const MeshFormat *format;
-	int many, width, opt, i = 0;
+	int many, width, opt, i = 0, offsets = -1;
 	size_t before, n;
 	CmdInput in;
-	Soup mesh = { 0 };
 	Lhg g;
 
 	cmd_begin("grid2mesh", formats_usage(text, usage, sizeof usage));
 	while ((opt = cmd_getopt(argc, argv, "", longopt)) != -1)
-		on = opt == 'O' ? optarg : on;
+		switch (opt) {
+		case 'O': on = optarg; break;
+		case 'd': offsets = opt_word(optarg, "keep\0drop\0smooth\0", "detail"); break;
+		}
+	if (offsets >= 0 && !on)
+		misuse("--detail needs --on");
 	cmd_operands(argc, argv, 0, 1);
 	name = cmd_output();
 	if (!(format = name ? meshformat_of(name) : meshformat(0)))
@@ -108,12 +118,12 @@ main(int argc, char *argv[])
 		if (!many && (g.frames > 1 || in.s.ahead))
 			die("%s: holds several grids, one for each file: need -o NAME-%%03d.off", in.name);
 		if (on && i == 0)
-			gridfile_read_mesh(on, &mesh);         /* not before: mesh2rect may be writing it */
-		gridfile_bytes(&in, &g, on ? &mesh : NULL, cmd_name_of(on), format, &bytes, &n);
+			gridfile_read_mesh(on, offsets, &mesh);         /* not before: mesh2rect may be writing it */
+		gridfile_bytes(&in, &g, &mesh, format, &bytes, &n);
 		cmd_write_bytes(file_name(name, ++i, path, sizeof path), bytes, n);
 		free(bytes);
 		lhg_free(&g);
 	}
-	soup_free(&mesh);
+	soup_free(&mesh.s);
 	return cmd_end();
 }

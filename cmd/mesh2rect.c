@@ -50,9 +50,9 @@ static const char text[] =
 "                     flat near triangles that straight edges in the chart turn over\n"
 "      --polish=N     at most N rounds that map the grid by its own metric, each kept only if\n"
 "                     the grid becomes more conformal, 0..100 [12]\n"
-"      --uv=FILE      write the mesh as it was read, with its (u,v), to FILE {uv ends}:\n"
-"                     for textures, and for grid2mesh --on; vertices of no face get -1,-1;\n"
-"                     triangles turned over there are noted; FILE is neither MESH nor output\n"
+"      --uv=FILE      write the mesh, with its (u,v) and offsets from the grid, to FILE {uv ends}:\n"
+"                     for textures, and grid2mesh --on; vertices of no face get -1,-1;\n"
+"                     turned triangles are noted; FILE is neither MESH nor output\n"
 CMD_USAGE
 "With --split of 1 or more, on smooth surfaces and with a grid as fine as the mesh, the error\n"
 "of H is of second order in the mesh size (1000 to 64000 vertices, orders: torus 2.0 2.0 2.0,\n"
@@ -226,7 +226,7 @@ main(int argc, char *argv[])
 	quality_meta(&out, &d, corner, apart, &c);
 	quality_notes(cmd_name_of(argv[optind]), uv, &d, &options, &c);
 	if (uv) {
-		uv_write(uv, &s, &d, c.u, c.v, out.T);
+		uv_write(uv, &s, &d, c.u, c.v, c.grid.g, (const double *const *)c.grid.phi);
 		soup_free(&s);
 	}
 	cmd_write(&out);

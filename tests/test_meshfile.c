@@ -859,6 +859,45 @@ ply_uv(void **state)
 	    "property int s\nproperty int t\nend_header\n0 0 0 0 0\n", MESH_EFORMAT, "file has room for");
 }
 
+/* The offsets of three vertices, in comments of an OBJ and in properties of a PLY. */
+static void
+offsets(void **state)
+{
+	static const double o[12] = { 1, -.5, .25, 0, 0, 0, 0, 0, 3, 4, 5e-3, .125 };
+	static const char one[] = "# lhgrid offset 1 -.5 .25 0\n", two[] = "# lhgrid offset 0 0 0 0\n",
+	    three[] = "# lhgrid offset\n# lhgrid offset 3 4 5e-3 .125 # the last\n";
+	char text[600];
+	Soup s;
+	int i;
+
+	(void)state;
+	for (i = 0; i < 2; i++) {
+		if (i)
+			snprintf(text, sizeof text, PLYUV("", "property float s\nproperty double offset_n\nproperty float t\n"
+			    "property double offset_u\nproperty double offset_r\nproperty double offset_v\n")
+			    "0 0 0 0 .25 0 1 0 -.5\n1 0 0 1 0 0 0 0 0\n0 1 0 0 5e-3 1 3 .125 4\n3 0 1 2\n");
+		else
+			snprintf(text, sizeof text, TRI VT "%s" "f 1/1 2/2 3/3\n" "%s%s", one, two, strchr(three, '\n') + 1);
+		assert_int_equal(parseuv(&s, text, strlen(text)), 0);
+		assert_memory_equal(channel_values(&s.channels, MESH_OFFSET), o, sizeof o);
+		soup_free(&s);
+		assert_int_equal(parse(&s, text, strlen(text)), 0);
+		assert_null(channel_values(&s.channels, MESH_OFFSET));
+		soup_free(&s);
+	}
+	snprintf(text, sizeof text, TRI VT "f 1/1 2/2 3/3\n" "%s%s", one, two);
+	refusesuv(text, MESH_EFORMAT, "2 offsets for 3 vertices");
+	snprintf(text, sizeof text, TRI VT "f 1/1 2/2 3/3\n" "%s%s", one, three);
+	refusesuv(text, MESH_EFORMAT, "line 9: offset 1 ends in '', need four numbers");
+	refusesuv(TRI VT "# lhgrid offset 1 2 x 4\nf 1/1 2/2 3/3\n", MESH_EFORMAT, "line 7: offset 0 ends in 'x'");
+	snprintf(text, sizeof text, TRI VT "f 1/1 2/2 3/3\n" "%s%s# lhgrid offset 0 0 0 -1\n", one, two);
+	refusesuv(text, MESH_EVALUE, "vertex 2 has an offset that is not finite, or of negative extent");
+	snprintf(text, sizeof text, TRI VT "f 1/1 2/2 3/3\n" "%s# lhgrid offset 0 inf 0 1\n%s", one, two);
+	refusesuv(text, MESH_EVALUE, "vertex 1 has an offset that is not finite");
+	refusesuv(PLYUV("", "property float s\nproperty float t\nproperty float offset_u\nproperty float offset_n\n"),
+	    MESH_EFORMAT, "vertices have 2 of the properties offset_u offset_v offset_n offset_r");
+}
+
 /* A soup of a vertex of no face, a triangle, a quad and a polygon of n corners. */
 static Soup
 polygons(int n)
@@ -866,7 +905,11 @@ polygons(int n)
 	Soup s = { .nv = n + 1, .nf = 3, .T = 1/3., .xyz = malloc((size_t)(n + 1) * 24), .first = malloc(16),
 	    .idx = malloc((size_t)(n + 7) * 4) };
 	double *uv = channel_add(&s.channels, MESH_UV, 2, (size_t)n + 1);
+	double *o = channel_add(&s.channels, MESH_OFFSET, 4, (size_t)n + 1);
 	int i;
+
+	for (i = 0; i < 4*n + 4; i++)
+		o[i] = i%4 == 1 ? -1/(i + 3.) : i/7e9;
 
 	for (i = 0; i <= n; i++) {
 		s.xyz[3*i] = cos(i), s.xyz[3*i+1] = sin(i)*1e-9, s.xyz[3*i+2] = i/7.;
@@ -907,6 +950,9 @@ soup_round_trip(void **state)
 				assert_true(!uv_of(&b) == !uv);
 				if (uv)
 					assert_memory_equal(uv_of(&b), uv_of(&a), (size_t)a.nv * 16);
+				if (uv)
+					assert_memory_equal(channel_values(&b.channels, MESH_OFFSET),
+					    channel_values(&a.channels, MESH_OFFSET), (size_t)a.nv * 32);
 				assert_int_equal(meshfile_write(&b, f, &q, &nq), 0);
 				assert_true(nq == n && memcmp(p, q, n) == 0);
 				free(p);
@@ -976,6 +1022,7 @@ main(void)
 		cmocka_unit_test(every_kind_gzipped),
 		cmocka_unit_test(obj_uv),
 		cmocka_unit_test(ply_uv),
+		cmocka_unit_test(offsets),
 		cmocka_unit_test(soup_round_trip),
 		cmocka_unit_test(damaged_uv),
 	};

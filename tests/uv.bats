@@ -8,6 +8,8 @@ setup_file() {
 	mkmesh -n 300 cap -o "$tmp/cap.off"
 	mesh2rect -n 64 --uv="$tmp/uv.obj" "$tmp/torus.off" -o "$tmp/phi"
 	mesh2rect -n 64 --uv="$tmp/uv.ply" "$tmp/torus.off" >/dev/null
+	grep -v '# lhgrid' "$tmp/uv.obj" >"$tmp/bare.obj"       # neither T nor offsets
+	grid2lh "$tmp/phi" -o "$tmp/phi.lh"
 	# quads, a pentagon and a vertex of no face, as a person would write them
 	cat >"$tmp/quads.obj" <<-EOF
 		v 9 9 9
@@ -47,9 +49,9 @@ apart() {
 	lhinfo "$tmp/phi" | grep -q "T ${T:0:9}"
 }
 
-@test "--on gives the surface back on the vertices and faces of its mesh" {
+@test "without offsets --on gives the surface back on the vertices and faces of its mesh" {
 	for n in 16 64; do
-		mesh2rect -n $n --uv="$tmp/n.obj" "$tmp/torus.off" | grid2mesh --on="$tmp/n.obj" -o "$tmp/back$n.obj"
+		mesh2rect -n $n --uv="$tmp/n.obj" "$tmp/torus.off" | grid2mesh --on="$tmp/n.obj" --detail=drop -o "$tmp/back$n.obj"
 		cmp <(numbers "$tmp/n.obj" f) <(numbers "$tmp/back$n.obj" f)
 	done
 	below "$(apart "$tmp/uv.obj" "$tmp/back64.obj")" 0.01
@@ -68,6 +70,69 @@ apart() {
 	grid2mesh --on="$tmp/a.obj" "$tmp/phi" | cmp - <(grid2mesh --on="$tmp/uv.obj" "$tmp/phi")
 	grid2mesh --on="$tmp/uv.obj" "$tmp/phi" | sed 1,2d | grep -v '^3 [0-9]* [0-9]* [0-9]*$' | cmp - <(numbers "$tmp/a.obj" v)
 	mesh2rect -n 8 "$tmp/a.obj" >/dev/null
+}
+
+@test "with offsets every vertex comes back: on its grid exactly, after K = 0 to the error of the fit" {
+	for e in obj ply; do
+		mesh2rect -n 16 --uv="$tmp/o.$e" "$tmp/torus.off" -o "$tmp/o"
+		for d in keep smooth; do
+			grid2mesh -q --on="$tmp/o.$e" --detail=$d "$tmp/o" -o "$tmp/oback.obj"
+			below "$(apart "$tmp/uv.obj" "$tmp/oback.obj")" 1e-13
+		done
+	done
+	grid2lh --residual "$tmp/o" | lhfft -K 0 | lh2grid | grid2mesh --on="$tmp/o.ply" -o "$tmp/oback.obj"
+	below "$(apart "$tmp/uv.obj" "$tmp/oback.obj")" 1e-5
+	grid2mesh --on="$tmp/oback.obj" "$tmp/o" -o "$tmp/again.obj"
+	below "$(apart "$tmp/uv.obj" "$tmp/again.obj")" 1e-13
+}
+
+@test "a finger that the grid loses comes back" {
+	[ -d "$meshes" ] || skip "no folder $meshes"
+	mesh2rect -n 64 --uv="$tmp/finger.obj" "$meshes/wild/c06b_finger_8.off" -o "$tmp/finger"
+	grid2mesh --on="$tmp/finger.obj" "$tmp/finger" -o "$tmp/fingerback.obj"
+	below "$(apart "$tmp/finger.obj" "$tmp/fingerback.obj")" 1e-12
+	grid2mesh --on="$tmp/finger.obj" --detail=drop "$tmp/finger" -o "$tmp/fingerback.obj"
+	below 1 "$(apart "$tmp/finger.obj" "$tmp/fingerback.obj")"
+}
+
+@test "offsets fade against the waves that lhfft keeps, more the coarser it is" {
+	mesh2rect -n 16 --uv="$tmp/s.ply" "$tmp/torus.off" | grid2lh | lhfft --low-pass=4 -o "$tmp/s.lh"
+	lhinfo "$tmp/s.lh" | grep -Eq 'waves (3\.[5-9]|4)'
+	lh2grid "$tmp/s.lh" -o "$tmp/s"
+	for d in keep drop smooth; do
+		grid2mesh --on="$tmp/s.ply" --detail=$d "$tmp/s" -o "$tmp/s-$d.obj"
+	done
+	cmp "$tmp/s-keep.obj" <(grid2mesh --on="$tmp/s.ply" "$tmp/s" -o "$tmp/x.obj"; cat "$tmp/x.obj")
+	! grep -q offset "$tmp/s-drop.obj"
+	below 0 "$(apart "$tmp/s-drop.obj" "$tmp/s-smooth.obj")"
+	below "$(apart "$tmp/s-drop.obj" "$tmp/s-smooth.obj")" "$(apart "$tmp/s-drop.obj" "$tmp/s-keep.obj")"
+	# of several scales each has its own number, of filters in a row the smaller one
+	lhfft --low-pass=6,2,6 "$tmp/s.lh" -o "$tmp/three"
+	lhinfo "$tmp/three" | awk '$1 == "meta" && $2 == "waves" { n[++k] = $3 } END { exit !(k == 3 && n[1] == n[3] && n[2] < n[1]) }'
+	[ "$(lhfft --low-pass=2 "$tmp/s.lh" | lhfft --low-pass=3 | lhinfo | grep waves)" = "$(lhfft --low-pass=2 "$tmp/s.lh" | lhinfo | grep waves)" ]
+	lhfft -K 0 "$tmp/phi.lh" 2>/dev/null | lhinfo | grep -c waves && return 1
+	try 0 'no metadatum waves' "$tmp/phi" grid2mesh --on="$tmp/uv.ply" --detail=smooth
+	try 0 'bare.obj: no offsets, so --detail changes nothing' "$tmp/phi" grid2mesh --on="$tmp/bare.obj" --detail=keep
+	try 0 '' "$tmp/phi" grid2mesh --on="$tmp/bare.obj"
+	try 2 '--detail needs --on' "$tmp/phi" grid2mesh --detail=drop
+	try 2 'detail' "$tmp/phi" grid2mesh --on="$tmp/uv.ply" --detail=some
+	sed 's/^# lhgrid offset [^ ]*/# lhgrid offset 1e308/' "$tmp/uv.obj" >"$tmp/huge.obj"
+	try 1 'huge.obj: vertex [0-9]+ has an offset that is too large' <(grid2lh "$tmp/phi" | lhfft -q -K 0 | lh2grid) grid2mesh --on="$tmp/huge.obj"
+	sed '0,/^# lhgrid offset/{/^# lhgrid offset/d}' "$tmp/uv.obj" >"$tmp/fewer.obj"
+	try 1 'fewer.obj: 781 offsets for 782 vertices' "$tmp/phi" grid2mesh --on="$tmp/fewer.obj"
+}
+
+@test "a renumbered mesh has the same vertices in another order" {
+	awk 'NR == 2 { n = $1 } NR <= 2 { print; next } NR <= n + 2 { x[NR-3] = $0; if (NR == n + 2) for (i = n - 1; i >= 0; i--) print x[i]; next }
+		{ print 3, n-1-$2, n-1-$3, n-1-$4 }' "$tmp/torus.off" >"$tmp/turned.off"
+	nv=$(awk 'NR == 2 { print $1 }' "$tmp/torus.off")
+	mesh2rect -n 16 -c 0,1,2,3 --uv="$tmp/r1.obj" "$tmp/torus.off" >/dev/null
+	mesh2rect -n 16 -c $((nv-1)),$((nv-2)),$((nv-3)),$((nv-4)) --uv="$tmp/r2.obj" "$tmp/turned.off" -o "$tmp/r2"
+	grid2mesh --on="$tmp/r2.obj" "$tmp/r2" -o "$tmp/rback.obj"
+	paste -d ' ' <(numbers "$tmp/uv.obj" v | tac) <(numbers "$tmp/rback.obj" v) |
+		awk '($1-$4)^2 + ($2-$5)^2 + ($3-$6)^2 > 1e-24 { exit 1 }'
+	paste -d ' ' <(numbers "$tmp/r1.obj" '# lhgrid offset' | tac) <(numbers "$tmp/r2.obj" '# lhgrid offset') |
+		awk '($1-$5)^2 + ($2-$6)^2 + ($3-$7)^2 > 1e-16 { exit 1 }'
 }
 
 @test "a flat sheet comes back exactly" {
@@ -120,8 +185,9 @@ apart() {
 }
 
 @test "a file without T has v in units of the grid" {
-	grep -v '# lhgrid' "$tmp/uv.obj" >"$tmp/bare.obj"
-	grid2mesh --on="$tmp/bare.obj" "$tmp/phi" | cmp - <(grid2mesh --on="$tmp/uv.obj" "$tmp/phi")
+	grep -v '# lhgrid T' "$tmp/uv.obj" | cmp -s "$tmp/uv.obj" - && return 1
+	grid2mesh --on=<(grep -v '# lhgrid T' "$tmp/uv.obj") "$tmp/phi" | cmp - <(grid2mesh --on="$tmp/uv.obj" "$tmp/phi")
+	grid2mesh --on="$tmp/bare.obj" "$tmp/phi" | cmp - <(grid2mesh --on="$tmp/uv.obj" --detail=drop "$tmp/phi")
 	sed 's/^vt .*/vt 0.5 1e9/' "$tmp/bare.obj" >"$tmp/far.obj"
 	try 1 'far.obj: vertex 0 has \(u,v\) = \(0.5,1e\+09\), outside \[0,1\] x \[0,' "$tmp/phi" grid2mesh --on="$tmp/far.obj"
 }

@@ -1,7 +1,10 @@
 /* gridfile.c - a grid as the bytes of a mesh file, for grid2mesh. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../../lib/base/vec3.h"
+#include "../../lib/grid/detail.h"
 #include "../../lib/grid/gridmesh.h"
 #include "../../lib/grid/gridpoint.h"
 #include "../../lib/mesh/channel.h"
@@ -11,18 +14,22 @@
 #include "gridfile.h"
 
 void
-gridfile_read_mesh(const char *path, Soup *s)
+gridfile_read_mesh(const char *path, int offsets, OnMesh *on)
 {
 	const double *uv;
 	int p, none = 0;
 
-	load_soup(path, 1, s);
-	uv = channel_values(&s->channels, MESH_UV);
-	for (p = 0; p < s->nv; p++)
+	on->name = cmd_name_of(path);
+	on->offsets = offsets < 0 ? OFFSETS_KEEP : offsets;
+	load_soup(path, 1, &on->s);
+	uv = channel_values(&on->s.channels, MESH_UV);
+	for (p = 0; p < on->s.nv; p++)
 		none += uv[2*(size_t)p] == -1 && uv[2*(size_t)p+1] == -1;
 	if (none)
-		note("%s: %d %s without (u,v) %s in place", cmd_name_of(path), none,
+		note("%s: %d %s without (u,v) %s in place", on->name, none,
 		    none == 1 ? "vertex" : "vertices", none == 1 ? "stays" : "stay");
+	if (offsets >= 0 && offsets != OFFSETS_DROP && !channel_find(&on->s.channels, MESH_OFFSET))
+		note("%s: no offsets, so --detail changes nothing", on->name);
 }
 
 static void
@@ -46,43 +53,118 @@ mesh_of_grid(const CmdInput *in, const Lhg *g, const double *const phi[3], const
 	mesh_free(&m);
 }
 
+/* The waves of the filter that the grid went through, in cycles per width; 0: none. */
+static double
+waves_of(const CmdInput *in, const Lhg *g)
+{
+	char value[LHG_KEYLEN];
+	double waves;
+	char *end;
+
+	if (!lhg_getmeta(g, "waves", value, sizeof value)) {
+		note("%s: no metadatum waves, so no filter is known: --detail=smooth keeps all", in->name);
+		return 0;
+	}
+	waves = strtod(value, &end);
+	if (*end || !(waves > 0 && isfinite(waves)))
+		die("%s: the metadatum waves is '%s', not a positive number", in->name, value);
+	return waves;
+}
+
+/* The offsets o in the channel MESH_OFFSET of s, those that are short against a wave made shorter by the
+ * square of the ratio.  The width of the rectangle is the unit of o. */
 static void
-moved_mesh(const Lhg *g, const double *const phi[3], const Soup *on, const char *name,
-	const MeshFormat *format, char **bytes, size_t *n)
+add_offsets(const OnMesh *on, double waves, const double *o, Soup *s)
+{
+	double *to = channel_add(&s->channels, MESH_OFFSET, DETAIL_SIZE, (size_t)s->nv), length, share;
+	int c, p;
+
+	if (!to)
+		die("%s: no memory for the offsets of %d vertices", on->name, s->nv);
+	memcpy(to, o, DETAIL_SIZE*(size_t)s->nv*sizeof *to);
+	for (p = 0; waves > 0 && p < s->nv; p++, to += DETAIL_SIZE) {
+		length = waves*norm3(to);
+		share = -expm1(-length*length);
+		for (c = 0; c < 3; c++)
+			to[c] *= share;
+	}
+}
+
+/* Moves the vertices of s, at their (u,v), by its offsets. */
+static void
+offset_vertices(const OnMesh *on, Chart g, const double *const phi[3], const double *uv, Soup *s)
+{
+	const double *o = channel_values(&s->channels, MESH_OFFSET);
+	const double T = on->s.T > 0 ? on->s.T : g.T;
+	Detail d;
+	int p;
+
+	if (detail_init(&d, g, phi))
+		die("%s: no memory for the frames of %d x %d nodes", on->name, g.nu, g.nv);
+	for (p = 0; p < s->nv; p++, uv += 2, o += DETAIL_SIZE) {
+		double *x = s->xyz + 3*(size_t)p;
+
+		if (uv[0] == -1 && uv[1] == -1)
+			continue;
+		detail_vertex(&d, T, uv[0], uv[1], o, x);
+		if (!isfinite(x[0]) || !isfinite(x[1]) || !isfinite(x[2]))
+			die("%s: vertex %d has an offset that is too large", on->name, p);
+	}
+	detail_free(&d);
+}
+
+/* s becomes the mesh of on, its vertices at their (u,v) on the grid. */
+static void
+place_mesh(const CmdInput *in, const Lhg *g, const double *const phi[3], const OnMesh *on, Soup *s)
 {
 	const Chart chart = chart_of(g);
-	const double *was = channel_values(&on->channels, MESH_UV);
-	Soup s = *on;
+	const double *was = channel_values(&on->s.channels, MESH_UV);
+	const double *o = channel_values(&on->s.channels, MESH_OFFSET);
 	double *uv;
 	int at;
 
-	s.T = g->T;
-	s.xyz = cmd_alloc((size_t)on->nv, 3*sizeof *s.xyz);
-	memcpy(s.xyz, on->xyz, 3*(size_t)on->nv*sizeof *s.xyz);
-	s.channels = (Channels){ 0 };
-	if (!(uv = channel_add(&s.channels, MESH_UV, 2, (size_t)on->nv)))
-		die("%s: no memory for the (u,v) of %d vertices", name, on->nv);
-	if (gridpoint_uv(chart, on->T, on->nv, was, uv, &at))
-		die("%s: vertex %d has (u,v) = (%g,%g), outside [0,1] x [0,%g]", name, at,
-		    was[2*(size_t)at], was[2*(size_t)at+1], on->T > 0 ? on->T : g->T);
-	gridpoint_vertices(chart, 3, phi, on->nv, uv, s.xyz);
+	*s = on->s;
+	s->T = g->T;
+	s->xyz = cmd_alloc((size_t)s->nv, 3*sizeof *s->xyz);
+	memcpy(s->xyz, on->s.xyz, 3*(size_t)s->nv*sizeof *s->xyz);
+	s->channels = (Channels){ 0 };
+	if (!(uv = channel_add(&s->channels, MESH_UV, 2, (size_t)s->nv)))
+		die("%s: no memory for the (u,v) of %d vertices", on->name, s->nv);
+	if (gridpoint_uv(chart, on->s.T, s->nv, was, uv, &at))
+		die("%s: vertex %d has (u,v) = (%g,%g), outside [0,1] x [0,%g]", on->name, at,
+		    was[2*(size_t)at], was[2*(size_t)at+1], on->s.T > 0 ? on->s.T : g->T);
+	if (!o || on->offsets == OFFSETS_DROP) {
+		gridpoint_vertices(chart, 3, phi, s->nv, uv, s->xyz);
+		return;
+	}
+	add_offsets(on, on->offsets == OFFSETS_SMOOTH ? waves_of(in, g) : 0, o, s);
+	offset_vertices(on, chart, phi, uv, s);
+}
+
+static void
+moved_mesh(const CmdInput *in, const Lhg *g, const double *const phi[3], const OnMesh *on,
+	const MeshFormat *format, char **bytes, size_t *n)
+{
+	Soup s;
+
+	place_mesh(in, g, phi, on, &s);
 	if (meshfile_write(&s, format, bytes, n))
-		die("%s: no memory for a mesh of %d vertices", name, s.nv);
+		die("%s: no memory for a mesh of %d vertices", on->name, s.nv);
 	free(s.xyz);
 	channels_free(&s.channels);
 }
 
 void
-gridfile_bytes(const CmdInput *in, const Lhg *g, const Soup *on, const char *onname,
-	const MeshFormat *format, char **bytes, size_t *n)
+gridfile_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const MeshFormat *format,
+	char **bytes, size_t *n)
 {
 	const double *phi[3];
 
 	phi[0] = cmd_need(in, g, "x", LHG_GRID);
 	phi[1] = cmd_need(in, g, "y", LHG_GRID);
 	phi[2] = cmd_need(in, g, "z", LHG_GRID);
-	if (on)
-		moved_mesh(g, phi, on, onname, format, bytes, n);
+	if (on->name)
+		moved_mesh(in, g, phi, on, format, bytes, n);
 	else
 		mesh_of_grid(in, g, phi, format, bytes, n);
 }

@@ -5,12 +5,24 @@
 #include "../../lib/meshfile/meshformat.h"
 #include "../shared/cmd.h"
 
-/* Reads the mesh of --on with its (u,v), or dies; notes the number of vertices without (u,v). */
-void gridfile_read_mesh(const char *path, Soup *s);
+/* What becomes of the offsets of the mesh of --on. */
+enum { OFFSETS_KEEP, OFFSETS_DROP, OFFSETS_SMOOTH };
+
+/* The mesh of --on; name NULL: none. */
+typedef struct OnMesh {
+	const char *name;
+	int    offsets;
+	Soup   s;
+} OnMesh;
+
+/* Reads the mesh of --on with its (u,v), or dies; notes the number of vertices without (u,v), and,
+ * if the option --detail is given (offsets >= 0), that there are no offsets. */
+void gridfile_read_mesh(const char *path, int offsets, OnMesh *on);
 
 /* The bytes of a mesh file of that format, or die: the nodes of the grid and two triangles for each
- * cell; or, if on is not NULL, the faces of on with its vertices moved to their (u,v) on the grid. */
-void gridfile_bytes(const CmdInput *in, const Lhg *g, const Soup *on, const char *onname,
-	const MeshFormat *format, char **bytes, size_t *n);
+ * cell; or the faces of the mesh of on with its vertices moved to their (u,v) on the grid, and by their
+ * offsets. */
+void gridfile_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const MeshFormat *format,
+	char **bytes, size_t *n);
 
 #endif

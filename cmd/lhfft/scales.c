@@ -90,7 +90,8 @@ clamp(const CmdInput *in, const Lhg *g, double floor)
 
 /* Returns whether f has changed; *most is the larger of itself and the number of coefficients kept. */
 static int
-filter(const CmdInput *in, const Lhg *g, const char *name, double *f, SpectrumBasis basis, Filter by, size_t *most)
+filter(const CmdInput *in, const Lhg *g, const char *name, double *f, SpectrumBasis basis,
+	Filter by, size_t *most)
 {
 	size_t kept, n = (size_t)g->nu*g->nv;
 	int changed = filter_field((Spectrum){ basis, chart_of(g) }, &by, f, &kept);
@@ -135,8 +136,8 @@ scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g)
 	return f;
 }
 
-/* The metadatum waves: the radius, in cycles per width, of the quarter disk that holds as many cosines as the
- * filter kept, pi waves^2 T; or that of an earlier filter, if it is smaller. */
+/* The metadatum waves: the radius, in cycles per width, of the quarter disk that holds as many cosines
+ * as the filter kept, pi waves^2 T; or that of an earlier filter, if it is smaller. */
 static void
 set_waves(Lhg *g, double before, size_t kept)
 {
@@ -162,8 +163,8 @@ scales_apply(const Scales *s, int k, double before, const CmdInput *in, Lhg *g)
 	double floor = scales_need(in, g), K = s->bound[k], *lambda = lhg_find(g, "lambda")->f;
 	double *H = lhg_find(g, "H")->f, *f = scales_curvature(s, in, g);
 
-	changed = filter(in, g, "lambda", lambda, s->basis, (Filter){ s->rule, s->lambda >= 0 ? s->lambda : K, s->log },
-	    &most);
+	changed = filter(in, g, "lambda", lambda, s->basis,
+	    (Filter){ s->rule, s->lambda >= 0 ? s->lambda : K, s->log }, &most);
 	if (!s->log)
 		clamp(in, g, floor);
 	if (filter(in, g, scales_name(s), f, s->basis, (Filter){ s->rule, s->H >= 0 ? s->H : K, 0 }, &most)) {

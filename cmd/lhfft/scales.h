@@ -36,8 +36,8 @@ const char *scales_name(const Scales *s);
 /* The metadatum waves of the input: that of an earlier filter, or 0. */
 double scales_waves(const Lhg *g);
 
-/* Filter lambda and H of g as at scale k, or die, and set the metadatum waves if they change or if there are
- * several scales.  before: scales_waves of the input. */
+/* Filter lambda and H of g as at scale k, or die, and set the metadatum waves if they change or if
+ * there are several scales.  before: scales_waves of the input. */
 void scales_apply(const Scales *s, int k, double before, const CmdInput *in, Lhg *g);
 
 #endif

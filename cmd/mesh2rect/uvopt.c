@@ -1,9 +1,11 @@
 /* uvopt.c - the option --uv of mesh2rect. */
 #include <stdlib.h>
+#include <string.h>
 
 #include <unistd.h>
 
-#include "../../lib/mesh/disk.h"
+#include "../../lib/grid/detail.h"
+#include "../../lib/mesh/channel.h"
 #include "../../lib/meshfile/meshfile.h"
 #include "../shared/cmd.h"
 #include "../shared/samefile.h"
@@ -25,14 +27,35 @@ opt_uv(const char *file, const char *mesh)
 		misuse("--uv=%s: the mesh is read from there, and would lose all but positions and faces", file);
 }
 
+/* The channel MESH_OFFSET of s, from its (u,v). */
+static void
+add_offsets(const char *file, Soup *s, Chart g, const double *const phi[3])
+{
+	const double *uv = channel_values(&s->channels, MESH_UV);
+	double *o = channel_add(&s->channels, MESH_OFFSET, DETAIL_SIZE, (size_t)s->nv);
+	Detail d;
+	int p;
+
+	if (!o || detail_init(&d, g, phi))
+		die("%s: no memory for the offsets of %d vertices", file, s->nv);
+	for (p = 0; p < s->nv; p++, uv += 2, o += DETAIL_SIZE)
+		if (uv[0] == -1 && uv[1] == -1)
+			memset(o, 0, DETAIL_SIZE*sizeof *o);
+		else
+			detail_offset(&d, uv[0], uv[1], s->xyz + 3*(size_t)p, o);
+	detail_free(&d);
+}
+
 void
-uv_write(const char *file, Soup *s, const Disk *d, const double *u, const double *v, double T)
+uv_write(const char *file, Soup *s, const Disk *d, const double *u, const double *v, Chart g,
+	const double *const phi[3])
 {
 	char *bytes;
 	size_t n;
 
-	if (disk_uv_to_soup(d, u, v, T, s))
+	if (disk_uv_to_soup(d, u, v, g.T, s))
 		die("%s: %s", file, s->err);
+	add_offsets(file, s, g, phi);
 	if (meshfile_write(s, meshformat_of(file), &bytes, &n))
 		die("%s: no memory for a mesh of %d vertices", file, s->nv);
 	cmd_write_bytes(file, bytes, n);

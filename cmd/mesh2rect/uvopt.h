@@ -2,15 +2,18 @@
 #ifndef CMD_UVOPT_H
 #define CMD_UVOPT_H
 
-#include "../../lib/mesh/mesh.h"
+#include "../../lib/base/chart.h"
+#include "../../lib/mesh/disk.h"
 
 /* Exit 2 if the name of FILE does not end like those of a format with (u,v), or if FILE is also
  * the output or the operand mesh.  To be called after all options. */
 void opt_uv(const char *file, const char *mesh);
 
 /* Write s, the file's own vertices and polygons, with the (u,v) of the vertices of d, the
- * disk made from it, to FILE, or die.  Call it before cmd_write: one output is open at a time,
+ * disk made from it, and their offsets from the grid phi, to FILE, or die.  Call it before
+ * cmd_write: one output is open at a time,
  * and a program that reads the grid from a pipe finds FILE complete. */
-void uv_write(const char *file, Soup *s, const Disk *d, const double *u, const double *v, double T);
+void uv_write(const char *file, Soup *s, const Disk *d, const double *u, const double *v, Chart g,
+	const double *const phi[3]);
 
 #endif

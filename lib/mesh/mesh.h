@@ -24,6 +24,8 @@ enum { MESH_ERRLEN = 256 };
 enum { CHANNEL_NAME = 32 };
 #define MESH_UV "uv"            /* the channel of places in the rectangle [0,1] x [0,T], two numbers;
                                  * (-1,-1) where a vertex has none */
+#define MESH_OFFSET "offset"    /* the channel of offsets from a gridded surface at these places, four
+				 * numbers: see lib/grid/detail.h */
 
 /* Numbers at every vertex, beside its position. */
 typedef struct Channel {

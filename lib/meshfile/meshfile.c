@@ -154,6 +154,7 @@ parse_unpacked(Soup *s, const char *p, size_t n, int read_uv)
 		e = check_corners(&r);
 	if (!e && read_uv)
 		e = uv_check(&r);
+	free(r.offset);
 	if (e)
 		soup_free(s);
 	return e;

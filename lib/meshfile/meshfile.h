@@ -33,23 +33,25 @@
  * most 3 bytes for each of them, 4 for each byte given, and 64 KiB for zlib. */
 int meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most);
 
-/* The same, with the (u,v) of every vertex in the channel MESH_UV and the T they belong to in
- * s->T, 0 if the file does not have it:
+/* The same, with the (u,v) of every vertex in the channel MESH_UV, the T they belong to in
+ * s->T, 0 if the file does not have it, and, if the file has them, the offsets in MESH_OFFSET:
  *
- * OBJ  vt lines and corners a/b or a/b/c; T from a line "# lhgrid T 0.91"
- * PLY  vertex properties s t, or u v, or texture_u texture_v; T from "comment lhgrid T 0.91"
+ * OBJ  vt lines and corners a/b or a/b/c; T from a line "# lhgrid T 0.91";
+ *      lines "# lhgrid offset 0.01 0 -0.002 0.03", one for each vertex in their order
+ * PLY  vertex properties s t, or u v, or texture_u texture_v; T from "comment lhgrid T 0.91";
+ *      offset_u offset_v offset_n offset_r
  *
  * In an OBJ, a vertex of no face has (-1,-1).  Also refused: formats without (u,v) and missing
- * (u,v) (MESH_EFORMAT); (u,v) that are not finite, and two different ones at a vertex
- * (MESH_EVALUE). */
+ * (u,v) or offsets of some vertices only (MESH_EFORMAT); (u,v) and offsets that are not finite, and two
+ * different (u,v) at a vertex (MESH_EVALUE). */
 int meshfile_parse_uv(Soup *s, const void *bytes, size_t n, size_t most);
 
 /* Whether a file of at most `most` bytes that begins with these n can be a mesh: 0, or
  * MESH_EFORMAT with the reason in err.  So an endless pipe is refused before it is read. */
 int meshfile_plausible(const void *head, size_t n, size_t most, char err[MESH_ERRLEN]);
 
-/* s as a file: its vertices and polygons as they are, and its channel MESH_UV and T if it
- * has them and the format carries them.  OFF and OBJ are text that gives back every double, PLY is
+/* s as a file: its vertices and polygons as they are, and its channels MESH_UV and MESH_OFFSET and T if
+ * it has them and the format carries them.  OFF and OBJ are text that gives back every double, PLY is
  * binary_little_endian double, STL binary float.  *bytes is malloc'd, *n its length.
  * Returns 0, MESH_ENOMEM, MESH_EVALUE: a coordinate exceeds what the format holds, or
  * MESH_EFACE: the format holds triangles only. */

@@ -14,6 +14,8 @@ typedef struct Reader {
 	int    hash;            /* # begins a comment */
 	int    read_uv;          /* read MESH_UV and s->T */
 	double *uv;             /* the values of MESH_UV, once uv_start made it */
+	double (*offset)[4];    /* of MESH_OFFSET; noffset of them were read */
+	size_t noffset, capoffset;
 	Soup  *s;
 	size_t ni;              /* corners, including those of the unfinished face */
 	size_t capv, capf, capi;
@@ -63,16 +65,20 @@ void soup_trim(Reader *r);
 int soup_check_count(Reader *r, const char *what, long long count, size_t room);
 int soup_truncated(Reader *r, const char *what, long long i, long long count);
 
-/* The text of a comment: "lhgrid T 0.91" sets s->T, any other is ignored.  Returns 0 or
- * MESH_EVALUE. */
-int uv_modulus(Reader *r);
+/* The text of a comment: "lhgrid T 0.91" sets s->T, "lhgrid offset 0 0 .1 .02" is the offset of the
+ * next vertex; any other is ignored.  Returns 0, MESH_ENOMEM, MESH_EFORMAT or MESH_EVALUE. */
+int uv_comment(Reader *r);
+
+/* Appends an offset.  0 or MESH_ENOMEM. */
+int offset_append(Reader *r, const double x[4]);
 
 /* Make the channel MESH_UV for nv vertices, or s->nv if that is more, all (-1,-1).  Returns 0 or
  * MESH_ENOMEM. */
 int uv_start(Reader *r, size_t nv);
 
-/* Check that every (u,v) is finite.  Returns 0 or MESH_EVALUE. */
-int uv_check(const Reader *r);
+/* Check that every (u,v) and every offset is finite, and make the channel MESH_OFFSET if there is an
+ * offset for each vertex.  0, MESH_ENOMEM, MESH_EFORMAT or MESH_EVALUE. */
+int uv_check(Reader *r);
 
 /* The beginning of a file, to recognise its format: its first n bytes, its first word after comments,
  * and bounds on its size, both n if all of it is here. */

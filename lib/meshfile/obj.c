@@ -224,7 +224,7 @@ statements(Obj *o)
 		else if (r->read_uv && t.n == 2 && memcmp(t.s, "vt", 2) == 0)
 			e = texture(o);
 		else if (r->read_uv && t.n == 1 && *t.s == '#')
-			e = uv_modulus(r);
+			e = uv_comment(r);
 		if (e)
 			return e;
 		scan_skipline(r);

@@ -27,6 +27,7 @@ int
 obj_write(Text *t, const Soup *s)
 {
 	const double *uv = channel_values(&s->channels, MESH_UV);
+	const double *offset = channel_values(&s->channels, MESH_OFFSET);
 	int f, e;
 
 	if (!text_room(t))
@@ -35,6 +36,8 @@ obj_write(Text *t, const Soup *s)
 	e = text_lines(t, s->xyz, s->nv, 3, "v ");
 	if (!e && uv)
 		e = text_lines(t, uv, s->nv, 2, "vt ");
+	if (!e && offset)               /* in comments: no other program reads them as a colour or a normal */
+		e = text_lines(t, offset, s->nv, 4, "# lhgrid offset ");
 	for (f = 0; !e && f < s->nf; f++)
 		e = objface(t, s, f, uv != NULL);
 	return e;

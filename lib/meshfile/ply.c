@@ -136,6 +136,8 @@ record(Record *c)
 	}
 	if (c->e->kind == PLY_VERTEX && c->p->uv)
 		memcpy(c->p->r->uv + 2*c->i, c->x + c->p->uv, 2 * sizeof *c->x);
+	if (c->e->kind == PLY_VERTEX && c->p->offset && (e = offset_append(c->p->r, c->x + PLY_OFFSET)) != 0)
+		return e;
 	if (c->e->kind == PLY_VERTEX)
 		return soup_vertex(c->p->r, c->x);
 	return c->e->kind == PLY_FACE ? soup_face(c->p->r) : 0;

@@ -78,10 +78,11 @@ element(Ply *p)
 static int
 uv_use(Token name)
 {
-	static const char *const known[] = { "s", "t", "u", "v", "texture_u", "texture_v" };
+	static const char *const known[] = { "s", "t", "u", "v", "texture_u", "texture_v",
+	    "offset_u", "offset_v", "offset_n", "offset_r" };
 	int i;
 
-	for (i = 0; i < 6; i++)
+	for (i = 0; i < PLY_USES - PLY_UV; i++)
 		if (scan_is(name, known[i]))
 			return PLY_UV + i;
 	return PLY_SKIP;
@@ -138,7 +139,7 @@ find_uv_pair(Ply *p, const PlyElem *vertex)
 {
 	int i, pair, has;
 
-	for (pair = PLY_UV; pair < PLY_USES; pair += 2) {
+	for (pair = PLY_UV; pair < PLY_OFFSET; pair += 2) {
 		for (has = 0, i = vertex->p0; i < vertex->p1; i++)
 			has += p->prop[i].use == pair || p->prop[i].use == pair + 1;
 		if (has == 2) {
@@ -148,6 +149,19 @@ find_uv_pair(Ply *p, const PlyElem *vertex)
 	}
 	return mesh_fail(p->r->s->err, MESH_EFORMAT,
 	    "vertices lack (u,v): properties s t, u v or texture_u texture_v");
+}
+
+/* Sets p->offset if the vertices have an offset: all of its four properties, or none. */
+static int
+find_offset(Ply *p, const PlyElem *vertex)
+{
+	int i, has = 0;
+
+	for (i = vertex->p0; i < vertex->p1; i++)
+		has += p->prop[i].use >= PLY_OFFSET;
+	p->offset = has == 4;
+	return has == 0 || has == 4 ? 0 : mesh_fail(p->r->s->err, MESH_EFORMAT,
+	    "vertices have %d of the properties offset_u offset_v offset_n offset_r", has);
 }
 
 /* Checks that vertices, faces and strips occur at most once each and have the properties they need. */
@@ -166,6 +180,8 @@ check_elements(Ply *p)
 		if (x->kind == PLY_VERTEX && has < 3)
 			return mesh_fail(p->r->s->err, MESH_EFORMAT, "vertices lack x, y or z");
 		if (x->kind == PLY_VERTEX && p->r->read_uv && (err = find_uv_pair(p, x)) != 0)
+			return err;
+		if (x->kind == PLY_VERTEX && p->r->read_uv && (err = find_offset(p, x)) != 0)
 			return err;
 		if (x->kind > PLY_VERTEX && has < 1)
 			return mesh_fail(p->r->s->err, MESH_EFORMAT,
@@ -186,7 +202,7 @@ header_line(Ply *p, Token t)
 	if (scan_is(t, "property"))
 		return property(p);
 	if (scan_is(t, "comment") && p->r->read_uv)
-		return uv_modulus(p->r);
+		return uv_comment(p->r);
 	if (scan_is(t, "comment") || scan_is(t, "obj_info"))
 		return 0;
 	return bad(p, "a header keyword", t);

@@ -6,8 +6,8 @@
 
 enum { PLY_ASCII, PLY_LITTLE, PLY_BIG };
 enum { PLY_OTHER, PLY_VERTEX, PLY_FACE, PLY_STRIP };    /* kinds of elements */
-enum { PLY_SKIP = -1, PLY_CORNERS = 3, PLY_UV = 4, PLY_USES = 10 };
-                                /* uses of a property; 0 1 2: x y z; 4 5, 6 7, 8 9: pairs u v */
+enum { PLY_SKIP = -1, PLY_CORNERS = 3, PLY_UV = 4, PLY_OFFSET = 10, PLY_USES = 14 };
+                                /* uses of a property; 0 1 2: x y z; 4 5, 6 7, 8 9: pairs u v; then the offset */
 enum { PLY_MAXELEM = 32, PLY_MAXPROP = 256 };
 
 typedef struct PlyType {
@@ -31,6 +31,7 @@ typedef struct Ply {
 	Reader *r;
 	int format, ne, np;
 	int uv;                 /* the pair that is read, or 0 */
+	int offset;             /* offsets are read */
 	PlyElem elem[PLY_MAXELEM];
 	PlyProp prop[PLY_MAXPROP];
 } Ply;
