@@ -13,6 +13,7 @@
 #include "shared/load.h"
 #include "mesh2rect/corneropt.h"
 #include "mesh2rect/likeopt.h"
+#include "mesh2rect/loss.h"
 #include "mesh2rect/quality.h"
 #include "mesh2rect/uvopt.h"
 
@@ -20,11 +21,13 @@ static const char text[] =
 "usage: mesh2rect [OPTIONS] [MESH] >grid.lhg\n"
 "Maps a triangle mesh conformally onto the rectangle [0,1] x [0,T] and samples it there on\n"
 "a grid.  The mesh is a topological disk, in one piece with one boundary and no handle, and\n"
-"its triangles have areas; apart from that it may have any shape.  MESH is {formats},\n"
-"recognised by its content, also gzipped; - or nothing: stdin.  Writes channels x y z, and\n"
-"metadata vertices faces corners certificate solved turned overlaid polished, and like with\n"
-"--like.\n"
+"its triangles have areas.  MESH is {formats}, recognised by its content,\n"
+"also gzipped; - or nothing: stdin.  Writes channels x y z, and metadata vertices faces\n"
+"corners certificate solved turned overlaid polished area kept farthest, and like with --like.\n"
 "  -n, --cells=N|NxM  cells along u, or along u and v, 4..32767 each [256]\n"
+"      --cells=auto   the fewest of 32 48 64 96 128 .. that keep 99 % of the area of the mesh\n"
+"      --max-cells=N  at most N cells along u with --cells=auto, 4..32767 [1024]\n"
+"      --max-loss=SHARE  refuse a grid that loses more than SHARE of the area, 0..1 [0.5]\n"
 "  -c, --corners=I,J,K,L  boundary vertices, numbered from 0 as in the file, that become\n"
 "                     the corners (0,0) (1,0) (1,T) (0,T), counterclockwise\n"
 "      --corners='x,y,z;x,y,z;x,y,z;x,y,z'  the boundary vertices nearest to these points\n"
@@ -33,9 +36,8 @@ static const char text[] =
 "                     vertices at equal arc length from its lowest vertex number [auto]\n"
 "                     three boundary vertices: the middle of the longest edge is added\n"
 "      --like=GRID    corners that correspond to those of GRID, made by mesh2rect: the two\n"
-"                     boundary curves, by arc length, are fitted as closely as rotation,\n"
-"                     motion and shift along the curve allow; the vertices nearest along\n"
-"                     the curve to the corners of GRID become corners\n"
+"                     boundary curves, by arc length, are fitted by rotation, motion and\n"
+"                     shift; the vertices nearest to the corners of GRID become corners\n"
 "      --like-reversed  with --like: reverse the normal of the mesh, and so the direction of\n"
 "                     its boundary, if the curves are closer then\n"
 "      --flip         reverse the normal of the surface\n"
@@ -55,17 +57,18 @@ static const char text[] =
 "                     turned triangles are noted; FILE is neither MESH nor output\n"
 CMD_USAGE
 "With --split of 1 or more, on smooth surfaces and with a grid as fine as the mesh, the error\n"
-"of H is of second order in the mesh size (1000 to 64000 vertices, orders: torus 2.0 2.0 2.0,\n"
-"catenoid 2.1 2.0 2.0).  A mesh of more than a quarter of\n"
-"--max-vertices is not split: it has linear elements, and the error of H is of first order.\n"
+"of H is of second order in the mesh size; a mesh of more than a quarter of --max-vertices\n"
+"is not split, and the order is one.\n"
 "With --surface=facets H does not converge: it is concentrated on the edges.  -v reports the result.\n"
-"The curves of --like are smoothed (Gaussian, about 8 waves round), so that ragged edges add\n"
-"neither length nor shape, and scaled to one size.  Their distance after the fit, root mean\n"
+"The curves of --like are smoothed (about 8 waves round) and scaled to one size.  Their distance after the fit, root mean\n"
 "square in units of the root mean square distance from their centre, is the metadatum like:\n"
 "0 for equal boundaries.  Of fits within 25 % of the best, the one that turns the mesh least\n"
 "is chosen, and this is noted: an outline may also fit upside down.\n";
 
-enum { FLIP = 256, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, LIKE, REVERSED, UV = CMD_UNRECORDED };
+enum { FLIP = 256, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, LIKE, REVERSED, MAX_CELLS,
+	UV = CMD_UNRECORDED, MAX_LOSS };
+
+static const double KEEP = 0.99;        /* share of the area, of -n auto */
 
 static const struct option longopt[] = {
 	{ "cells",        required_argument, NULL, 'n' },
@@ -78,16 +81,22 @@ static const struct option longopt[] = {
 	{ "max-vertices", required_argument, NULL, MOST },
 	{ "surface",      required_argument, NULL, SURFACE },
 	{ "polish",       required_argument, NULL, POLISH },
+	{ "max-cells",    required_argument, NULL, MAX_CELLS },
+	{ "max-loss",     required_argument, NULL, MAX_LOSS },
 	{ "uv",           required_argument, NULL, UV },
 	CMD_LONGOPT
 };
 
-/* "N" or "NxM" cells as numbers of nodes. */
+/* "auto", or "N" or "NxM" cells as numbers of nodes. */
 static void
-opt_cells(char *s, Chart *g)
+opt_cells(char *s, Chart *g, double *keep)
 {
-	char *x = strchr(s, 'x'), *first = strdup(s);
+	char *x = strchr(s, 'x'), *first;
 
+	*keep = strcmp(s, "auto") == 0 ? KEEP : 0;
+	if (*keep > 0)
+		return;
+	first = strdup(s);
 	if (!first)
 		die("no memory");
 	if (x)
@@ -107,13 +116,15 @@ enum { PER_VERTEX = 1500, KEPT = 500, PER_CROSSING = 250, PER_NODE = 8*6, PER_PO
 static void
 claim_map(const char *name, const Disk *d, Chart g, const ConformalOptions *o)
 {
-	double vertices = d->m.nv, nodes = (double)g.nu*g.nv;
+	double vertices = d->m.nv, nodes = (double)g.nu*g.nv, many = (o->most + 1.0)*(o->most + 1.0);
 	int i;
 
 	for (i = 0; i < o->map.split && 4*vertices <= o->map.most; i++)
 		vertices *= 4;
 	claim(name, "the map", vertices, PER_VERTEX);
 	claim(name, "the grid", 1, KEPT*vertices + nodes*(o->polish ? PER_POLISHED : PER_NODE));
+	if (o->keep > 0)
+		claim_possible(name, "the grid", 1, KEPT*vertices + many*(o->polish ? PER_POLISHED : PER_NODE));
 	if (o->map.tolerance < 1 && o->map.most > vertices)
 		claim_possible(name, "the map", o->map.most, PER_VERTEX + INTRINSICMAP_CROSSINGS*PER_CROSSING);
 }
@@ -179,11 +190,11 @@ check_like(const char *corners, const char *like, int reversed)
 int
 main(int argc, char *argv[])
 {
-	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12 };
+	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0, 1024 };
 	const char *corners = NULL, *like = NULL, *uv = NULL;
 	Chart g = { 257, 257, 1, &CHART_RECTANGLE };
 	int opt, corner[4], flip = 0, reversed = 0;
-	double apart;
+	double apart, most_lost = 0.5;
 	Conformal c;
 	Soup s;
 	Disk d;
@@ -193,7 +204,7 @@ main(int argc, char *argv[])
 	cmd_begin("mesh2rect", formats_usage(text, usage, sizeof usage));
 	while ((opt = cmd_getopt(argc, argv, "n:c:", longopt)) != -1)
 		switch (opt) {
-		case 'n': opt_cells(optarg, &g); break;
+		case 'n': opt_cells(optarg, &g, &options.keep); break;
 		case 'c': corners = optarg; break;
 		case LIKE: like = optarg; break;
 		case REVERSED: reversed = 1; break;
@@ -203,6 +214,8 @@ main(int argc, char *argv[])
 		case MOST: options.map.most = opt_long(optarg, 0, 100000000, "max-vertices"); break;
 		case SURFACE: options.surface = opt_word(optarg, "facets\0smooth\0", "surface"); break;
 		case POLISH: options.polish = opt_long(optarg, 0, 100, "polish"); break;
+		case MAX_CELLS: options.most = opt_long(optarg, 4, LHG_MAXN - 1, "max-cells"); break;
+		case MAX_LOSS: most_lost = opt_double(optarg, 0, 1, "max-loss"); break;
 		case UV: uv = optarg; break;
 		}
 	cmd_operands(argc, argv, 0, 1);
@@ -221,9 +234,10 @@ main(int argc, char *argv[])
 	claim_map(cmd_name_of(argv[optind]), &d, g, &options);
 	map_disk(&d, corner, g, &options, &c);
 
-	lhg_init(&out, g.nu, g.nv, c.grid.g.T);
+	lhg_init(&out, c.grid.g.nu, c.grid.g.nv, c.grid.g.T);
 	add_positions(&out, &c.grid);
 	quality_meta(&out, &d, corner, apart, &c);
+	loss_report(&out, cmd_name_of(argv[optind]), most_lost, &d, &c);
 	quality_notes(cmd_name_of(argv[optind]), uv, &d, &options, &c);
 	if (uv) {
 		uv_write(uv, &s, &d, c.u, c.v, c.grid.g, (const double *const *)c.grid.phi);

@@ -37,10 +37,13 @@ static void
 faces(const char *name, const Soup *soup, Disk *d)
 {
 	char fault[MESH_ERRLEN];
+	int e;
 
 	range_positions(name, (size_t)soup->nv, 3, (const double *[]){ soup->xyz, soup->xyz + 1,
 		soup->xyz + 2 });
-	if (disk_from_soup(d, soup)) {
+	if ((e = disk_from_soup(d, soup)) == MESH_ENOMEM)
+		die("%s: %s", name, d->err);
+	if (e) {
 		memcpy(fault, d->err, sizeof fault);
 		if (disk_loose(d, soup))
 			die("%s: %s", name, d->err);

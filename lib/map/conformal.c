@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../grid/gridloss.h"
 #include "../intrinsic/overlay.h"
 #include "conformal.h"
 #include "intrinsicmap.h"
@@ -13,20 +14,61 @@
  * With quadratic elements it comes from what the polish leaves, so those are always polished. */
 static const double ENOUGH = 2e-4;
 
-/* Samples a map on the grid and polishes it; the polish moves the vertices of d in the chart with it.
- * u, v: the map at the vertices of d, which come first. */
+/* A map at the vertices of d, which come first in u and v, and how it is to be sampled. */
+typedef struct Sampling {
+	const Sampler *s;
+	const Disk    *d;
+	const double  *u, *v;
+	double         enough;
+	const ConformalOptions *options;
+} Sampling;
+
+/* Samples a map on the grid g and polishes it; the polish moves the vertices of d in the chart with it.
+ * If the grid has less than the area `least` before or after the polish, it is freed and
+ * *less is set. */
 static int
-sample_and_polish(const Sampler *s, const Disk *d, const int corner[4], const double *u,
-	const double *v, Chart g, double enough, const ConformalOptions *options, Conformal *c)
+sample_and_polish(const Sampling *m, Chart g, double least, Conformal *c, int *less)
 {
-	g.T = s->l.T;
-	if (grid_init(&c->grid, g, s))
+	double area = least;
+	int e;
+
+	if (grid_init(&c->grid, g, m->s))
 		return SPD_ENOMEM;
-	memcpy(c->u, u, d->m.nv*sizeof *c->u);
-	memcpy(c->v, v, d->m.nv*sizeof *c->v);
-	if (polish(s, &c->grid, options->polish, enough, d->m.nv, c->u, c->v, &c->polished))
-		return SPD_ENOMEM;
-	return untangle(d, corner, c->u, c->v, &c->turned) ? SPD_ENOMEM : 0;
+	memcpy(c->u, m->u, m->d->m.nv*sizeof *c->u);
+	memcpy(c->v, m->v, m->d->m.nv*sizeof *c->v);
+	e = least > 0 && gridloss_area(g, c->grid.phi, &area);
+	if (!e && area >= least) {
+		e = polish(m->s, &c->grid, m->options->polish, m->enough, m->d->m.nv, c->u, c->v, &c->polished)
+		    || (least > 0 && gridloss_area(c->grid.g, c->grid.phi, &area));
+	}
+	*less = area < least;
+	if (!e && *less)
+		grid_free(&c->grid);
+	return e ? SPD_ENOMEM : 0;
+}
+
+/* The fewest cells that keep the share options->keep of the area. */
+static int
+sample_enough(const Sampling *m, Chart g, Conformal *c)
+{
+	const double least = m->options->keep*mesh_area(&m->d->m);
+	int n, less = 1, e = 0;
+
+	for (n = conformal_cells(0); less && !e; n = conformal_cells(n)) {
+		g.nu = g.nv = (n < m->options->most ? n : m->options->most) + 1;
+		e = sample_and_polish(m, g, n < m->options->most ? least : 0, c, &less);
+	}
+	return e;
+}
+
+static int
+sample_map(const Sampling *m, const int corner[4], Chart g, Conformal *c)
+{
+	int e, less;
+
+	g.T = m->s->l.T;
+	e = m->options->keep > 0 ? sample_enough(m, g, c) : sample_and_polish(m, g, 0, c, &less);
+	return e || untangle(m->d, corner, c->u, c->v, &c->turned) ? SPD_ENOMEM : 0;
 }
 
 /* A map of d, solved on a finer mesh. */
@@ -44,11 +86,12 @@ sample(const Disk *d, const int corner[4], const Solved *m, Chart g, const Confo
 {
 	int smooth = options->surface == SAMPLER_SMOOTH, e;
 	Sampler s;
+	Sampling at = { &s, d, m->u, m->v, m->enough, options };
 
 	if (sampler_init(&s, smooth ? d : &m->mesh->d, m->u, m->v, m->T, options->surface))
 		return SPD_ENOMEM;
 	e = smooth && c->overlaid && sampler_overlay(&s, m->mesh, m->u, m->v) ? SPD_ENOMEM
-	    : sample_and_polish(&s, d, corner, m->u, m->v, g, m->enough, options, c);
+	    : sample_map(&at, corner, g, c);
 	sampler_free(&s);
 	return e;
 }

@@ -1,0 +1,31 @@
+/* loss.c - reports what the grid of mesh2rect does not hold of the mesh. */
+#include <stdio.h>
+
+#include "../../lib/grid/gridloss.h"
+#include "../shared/cmd.h"
+#include "loss.h"
+
+static const double NOTED = 0.01;       /* share of the area, or of its square root */
+
+void
+loss_report(Lhg *out, const char *mesh, double most, const Disk *d, const Conformal *c)
+{
+	char what[200];
+	const double *x;
+	GridLoss loss;
+
+	if (gridloss(&d->m, c->u, c->v, c->grid.g, c->grid.phi, &loss))
+		die("no memory to compare the grid with the mesh");
+	cmd_meta(out, "area", "%.9g", loss.area);
+	cmd_meta(out, "kept", "%.6g", loss.kept);
+	cmd_meta(out, "farthest", "%.6g", loss.farthest);
+	x = d->m.xyz + 3*(size_t)loss.vertex;
+	snprintf(what, sizeof what,
+	    "%.3g %% of the area; the vertex at (%g %g %g) is %.3g %% of sqrt(area) away",
+	    100*loss.kept, x[0], x[1], x[2], 100*loss.farthest);
+	if (!(loss.kept >= 1 - most))
+		die("%s: the grid holds only %s: --max-loss=%g", mesh, what, most);
+	if (!(loss.kept >= 1 - NOTED && loss.farthest <= NOTED))
+		note("%s: the grid holds %s: more cells (-n auto), other corners (-c) or a part of the mesh alone "
+		    "lose less", mesh, what);
+}

@@ -1,0 +1,84 @@
+/* gridloss.c - what a grid does not hold of the mesh that it samples. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "gridloss.h"
+#include "gridmesh.h"
+#include "gridtree.h"
+
+static int
+cell_of(double x, double step, int cells)
+{
+	double i = floor(x/step);
+
+	return i > 0 ? i < cells - 1 ? (int)i : cells - 1 : 0;
+}
+
+/* Squared distances of the vertices from the cells at their places, in d2; returns the number of
+ * the largest. */
+static int
+bound(const GridTree *t, const Mesh *m, const double *u, const double *v, Chart g, double *d2)
+{
+	const double h = chart_h(g), k = chart_k(g);
+	int p, most = 0;
+
+	#pragma omp parallel for schedule(static)
+	for (p = 0; p < m->nv; p++)
+		d2[p] = gridtree_cell2(t, cell_of(u[p], h, t->ncu), cell_of(v[p], k, t->ncv),
+		    m->xyz + 3*(size_t)p);
+	for (p = 1; p < m->nv; p++)
+		most = d2[p] > d2[most] ? p : most;
+	return most;
+}
+
+/* The true distance of the vertex with the largest bound is a lower bound of the result: only vertices
+ * with larger bounds are searched for. */
+static void
+find_farthest(const GridTree *t, const Mesh *m, double *d2, int most, GridLoss *loss)
+{
+	const double least = gridtree_distance2(t, m->xyz + 3*(size_t)most, d2[most]);
+	int p;
+
+	#pragma omp parallel for schedule(dynamic, 64)
+	for (p = 0; p < m->nv; p++)
+		if (d2[p] > least)
+			d2[p] = gridtree_distance2(t, m->xyz + 3*(size_t)p, d2[p]);
+	for (most = 0, p = 1; p < m->nv; p++)
+		most = d2[p] > d2[most] ? p : most;
+	loss->vertex = most;
+	loss->farthest = sqrt(d2[most]);
+}
+
+int
+gridloss(const Mesh *m, const double *u, const double *v, Chart g, double *const phi[3],
+	GridLoss *loss)
+{
+	double *d2 = malloc(m->nv*sizeof *d2);
+	Mesh grid = { 0, 0, NULL, NULL };
+	GridTree t = { .levels = 0 };
+	int e = d2 ? mesh_from_grid(&grid, g.nu, g.nv, phi[0], phi[1], phi[2]) : MESH_ENOMEM;
+
+	if (!e && !(e = gridtree_init(&t, &grid, g.nu, g.nv))) {
+		loss->area = mesh_area(m);
+		loss->kept = mesh_area(&grid)/loss->area;
+		find_farthest(&t, m, d2, bound(&t, m, u, v, g, d2), loss);
+		loss->farthest /= sqrt(loss->area);
+	}
+	gridtree_free(&t);
+	mesh_free(&grid);
+	free(d2);
+	return e;
+}
+
+int
+gridloss_area(Chart g, double *const phi[3], double *area)
+{
+	Mesh grid;
+	int e = mesh_from_grid(&grid, g.nu, g.nv, phi[0], phi[1], phi[2]);
+
+	if (!e) {
+		*area = mesh_area(&grid);
+		mesh_free(&grid);
+	}
+	return e;
+}
