@@ -138,7 +138,7 @@ solved(int way)
 	Surface s = { .g = { NU, NV, 1, &CHART_RECTANGLE }, .lambda = lambda, .H = H,
 		.start_chart = { NU, NV, 1, &CHART_RECTANGLE },
 	    .start_end = { end[0], end[1] }, .start = way ? NULL : start[0] };
-	FitOptions o = { 1e-4, 50, 1, NULL, NULL };
+	FitOptions o = { .tolerance = 1e-4, .most = 50, .sharpen = 1 };
 	FitProgress at;
 	int p, e;
 

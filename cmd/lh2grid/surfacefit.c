@@ -108,7 +108,8 @@ void
 surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi)
 {
 	Surface s = { .g = chart_of(g), .lambda = lhg_find(g, "lambda")->f, .H = lhg_find(g, "H")->f };
-	FitOptions how = { o->tolerance, o->steps, 1, report_step, (void *)in };
+	FitOptions how = { .tolerance = o->tolerance, .most = o->steps, .sharpen = 1, .report = report_step,
+	    .ctx = (void *)in };
 	double *start = has_start(g, o) ? read_start(in, g, &s) : NULL, began = seconds();
 	FitProgress at;
 	Residue residue;

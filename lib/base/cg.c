@@ -34,7 +34,7 @@ cg(const CgSystem *s, const CgLimits *limits, double *x, double *r, double *z, d
 			decrease += t*rz;
 		field_add(s->n, t, p, x);
 		dd += 2*t*dp + t*t*pp;
-		if (out || t*rz < limits->worth*decrease)
+		if (out || t*rz < limits->worth*(limits->before + decrease))
 			break;
 		field_add(s->n, -t, q, r);
 		s->precondition(s->ctx, r, z);

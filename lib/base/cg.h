@@ -18,6 +18,7 @@ typedef struct CgLimits {
 	int    steps;
 	double radius;          /* of the trust region: |x - start| in the norm of P; or HUGE_VAL */
 	double worth;           /* stop when a step adds less than this share of the decrease so far */
+	double before;          /* decrease that led to the start; worth counts it, the result does not */
 } CgLimits;
 
 typedef struct CgResult {

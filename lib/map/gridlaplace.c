@@ -198,7 +198,7 @@ solve(const GridLaplace *l, const PlaneLaplace *plane, double *f, double *work)
 	size_t n = (size_t)l->g.nu*l->g.nv, q;
 	Harmonic harmonic = { l, plane };
 	CgSystem s = { n, apply, precondition, &harmonic };
-	CgLimits limits = { REDUCTION, MOST_STEPS, HUGE_VAL, 0 };
+	CgLimits limits = { REDUCTION, MOST_STEPS, HUGE_VAL, 0, 0 };
 
 	gridlaplace_apply(l, f, work);
 	for (q = 0; q < n; q++)

@@ -196,3 +196,71 @@ spd_solve(Spd *a, const int *order, int nrhs, double *B, SpdReport *report)
 		*report = w.r;
 	return w.e;
 }
+
+struct SpdFactor {
+	Work w;
+	cholmod_sparse A;
+	cholmod_dense *x, *y, *e;       /* solution and workspace, kept by CHOLMOD from solve to solve */
+};
+
+SpdFactor *
+spd_factor_new(int n, int *column, int *row)
+{
+	SpdFactor *f = calloc(1, sizeof *f);
+	Threads threads = one_thread();
+
+	if (f) {
+		start(&f->w);
+		f->A = (cholmod_sparse){ .nrow = n, .ncol = n, .nzmax = column[n], .p = column, .i = row,
+		    .stype = -1, .itype = CHOLMOD_INT, .xtype = CHOLMOD_PATTERN, .dtype = CHOLMOD_DOUBLE,
+		    .sorted = 1, .packed = 1 };
+		analyze(&f->w, &f->A, CHOLMOD_AMD, NULL);
+	}
+	restore_threads(threads);
+	if (f && f->w.e) {
+		spd_factor_free(f);
+		f = NULL;
+	}
+	return f;
+}
+
+void
+spd_factor_free(SpdFactor *f)
+{
+	if (!f)
+		return;
+	cholmod_free_dense(&f->x, &f->w.c);
+	cholmod_free_dense(&f->y, &f->w.c);
+	cholmod_free_dense(&f->e, &f->w.c);
+	cholmod_free_factor(&f->w.L, &f->w.c);
+	cholmod_finish(&f->w.c);
+	free(f);
+}
+
+int
+spd_factor_set(SpdFactor *f, double *value)
+{
+	Threads threads = one_thread();
+
+	f->A.x = value;
+	f->A.xtype = CHOLMOD_REAL;
+	cholmod_factorize(&f->A, f->w.L, &f->w.c);
+	restore_threads(threads);
+	return f->w.e = status(&f->w.c, f->w.L, &f->w.r);
+}
+
+int
+spd_factor_solve(SpdFactor *f, double *b)
+{
+	size_t n = f->A.nrow;
+	cholmod_dense B = { .nrow = n, .ncol = 1, .nzmax = n, .d = n, .x = b,
+	    .xtype = CHOLMOD_REAL, .dtype = CHOLMOD_DOUBLE };
+	Threads threads = one_thread();
+	int ok = cholmod_solve2(CHOLMOD_A, f->w.L, &B, NULL, &f->x, NULL, &f->y, &f->e, &f->w.c);
+
+	restore_threads(threads);
+	if (!ok)
+		return SPD_ENOMEM;
+	memcpy(b, f->x->x, n*sizeof *b);
+	return 0;
+}

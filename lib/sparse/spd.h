@@ -43,4 +43,21 @@ spd_add(Spd *a, int i, int j, double x)
  * may be NULL.  A solution that is not finite counts as SPD_EINDEFINITE. */
 int spd_solve(Spd *a, const int *order, int nrhs, double *B, SpdReport *report);
 
+/* A factor that is kept: the pattern of the matrix is fixed, its numbers change, and each matrix is
+ * solved with many right-hand sides. */
+typedef struct SpdFactor SpdFactor;
+
+/* n, column, row describe the lower triangle in compressed columns: those of column j are
+ * row[column[j]] .. row[column[j+1]-1], in rising order, the diagonal first.  The arrays must live as
+ * long as the factor.  NULL if there is no memory. */
+SpdFactor *spd_factor_new(int n, int *column, int *row);
+void       spd_factor_free(SpdFactor *f);
+
+/* Factors the matrix with the given numbers, in the order of row.  Returns 0, SPD_ENOMEM, SPD_ELARGE or
+ * SPD_EINDEFINITE; after a failure f may be set again, but not solved with. */
+int spd_factor_set(SpdFactor *f, double *value);
+
+/* b = A^-1 b.  Returns 0 or SPD_ENOMEM.  Equal bits for equal input, as above. */
+int spd_factor_solve(SpdFactor *f, double *b);
+
 #endif

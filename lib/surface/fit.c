@@ -3,20 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../base/cg.h"
 #include "../base/field.h"
 #include "fit.h"
+#include "fitsolve.h"
 
+enum { TEN = 10 };
+static const double NEAR = 0.9, NEARBY = 1e-4;
 static const double BLUNT_W = 30, BLUNT_ALPHA = 1, SHARP_W = 100, SHARP_ALPHA = 0.1;
-static const double TENSION = 3;        /* of the plate, over w^2; 3 takes the fewest steps */
-enum { MOST_CG = 60, TEN = 10 };
-/* With a free boundary surfaces bend easily and far.  CG gets few steps until a Gauss-Newton step
- * was short and E fell as predicted: more would be spent on bending that the next step undoes.
- * After that it gets as many as it needs. */
-enum { MOST_CG_FREE = 20, MOST_CG_NEAR = 400 };
-static const double NEAR = 0.9, NEARBY = 1e-4, WORTH_NEAR = 1e-6;
-static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a Gauss-Newton step */
-static const double FLAT = 1e-6;        /* predicted decrease over E that is not worth another step */
 /* Ratio of E to its previous value: below FAST it falls fast, below STEEP steeply; above STILL it
  * hardly falls. */
 static const double FAST = 0.1, STEEP = 0.5, STILL = 0.98;
@@ -26,84 +19,6 @@ static const double POOR = 0.25;        /* if the decrease is below this share o
                                          * the step is shortened */
 enum { SHORTER = 3 };           /* how often a step is shortened at most */
 static const double CREEP = 5e-4;       /* least share of E by which ten steps must lower it */
-static const double WORTH = 1e-3;       /* least share of the decrease a CG step must add */
-
-typedef struct Work {
-	Misfit *m;
-	const double *phi;              /* the surface at which J is taken */
-	Plate   plate;
-	size_t  n;                      /* numbers in a vector */
-	double *r, *z, *p, *q, *d, *y;  /* residual, preconditioned, direction, J'J p; step, trial */
-	double  radius;                 /* of the trust region, in the norm of the plate */
-	int     near;                   /* the last step was short, not cut, and E fell as predicted */
-	long    solves;
-} Work;
-
-static void
-release(Work *k)
-{
-	plate_free(&k->plate);
-	free(k->r);
-	free(k->z);
-	free(k->p);
-	free(k->q);
-	free(k->d);
-	free(k->y);
-}
-
-static int
-prepare(Work *k, Misfit *m)
-{
-	*k = (Work){ .m = m, .n = 3*(size_t)m->g.nu*m->g.nv, .radius = HUGE_VAL };
-	k->r = malloc(k->n*sizeof(double));
-	k->z = malloc(k->n*sizeof(double));
-	k->p = malloc(k->n*sizeof(double));
-	k->q = malloc(k->n*sizeof(double));
-	k->d = malloc(k->n*sizeof(double));
-	k->y = malloc(k->n*sizeof(double));
-	if (!k->r || !k->z || !k->p || !k->q || !k->d || !k->y || plate_init(&k->plate, m->g, m->free)) {
-		release(k);
-		return FIT_ENOMEM;
-	}
-	return 0;
-}
-
-static void
-apply_normal(void *work, const double *p, double *q)
-{
-	const Work *k = work;
-
-	misfit_normal(k->m, k->phi, p, q);
-}
-
-static void
-precondition(void *work, const double *r, double *z)
-{
-	Work *k = work;
-	double w = k->m->w;
-
-	field_scale(k->n, 1, r, z);
-	plate_solve(&k->plate, k->m->scale, TENSION*w*w*k->m->scale, z);
-	k->solves++;
-}
-
-/* Solves for the step d; the negative gradient is in r.  Returns the predicted decrease of E;
- * *length is |d| in the plate norm, *spent is set if CG reached its limit of steps. */
-static double
-conjugate_gradients(Work *k, const double *phi, double *length, int *spent)
-{
-	CgSystem s = { k->n, apply_normal, precondition, k };
-	CgLimits limits = { REDUCTION, !k->m->free ? MOST_CG : k->near ? MOST_CG_NEAR : MOST_CG_FREE,
-	    k->radius, k->m->free && k->near ? WORTH_NEAR : WORTH };
-	CgResult is;
-
-	k->phi = phi;
-	memset(k->d, 0, k->n*sizeof *k->d);
-	is = cg(&s, &limits, k->d, k->r, k->z, k->p, k->q);
-	*spent = is.steps == limits.steps;
-	*length = is.length;
-	return is.decrease;
-}
 
 /* Outcome of a step. */
 typedef struct Outcome {
@@ -117,7 +32,7 @@ typedef struct Outcome {
 
 /* E at phi + t d, which is left in y. */
 static double
-trial(Work *k, const double *phi, double t)
+trial(FitSolve *k, const double *phi, double t)
 {
 	field_scale(k->n, 1, phi, k->y);
 	field_add(k->n, t, k->d, k->y);
@@ -130,7 +45,7 @@ trial(Work *k, const double *phi, double t)
  * the predicted decrease for that length.  Near folds E rises early along d; backtracking here is ten
  * times cheaper than rediscovering that with another CG solve. */
 static double
-step_length(Work *k, const double *phi, double E, double bd, double *predicted, double *E2)
+step_length(FitSolve *k, const double *phi, double E, double bd, double *predicted, double *E2)
 {
 	double t = 1, whole = *predicted, lowest;
 	int tries;
@@ -147,7 +62,7 @@ step_length(Work *k, const double *phi, double E, double bd, double *predicted, 
 
 /* One step from phi, with energy *E. */
 static Outcome
-step(Work *k, double *phi, double *E)
+step(FitSolve *k, double *phi, double *E)
 {
 	double length, bd, t, E2, gain;
 	Outcome is;
@@ -155,8 +70,9 @@ step(Work *k, double *phi, double *E)
 	misfit_gradient(k->m, phi, k->r);
 	field_scale(k->n, -1, k->r, k->r);
 	field_scale(k->n, 1, k->r, k->y);
-	is.predicted = conjugate_gradients(k, phi, &length, &is.spent);
+	is.predicted = fitsolve(k, phi, *E, &length, &is.spent);
 	bd = field_dot(k->n, k->y, k->d);
+	k->steps++;
 	is.cut = length > 0.99*k->radius;
 	t = step_length(k, phi, *E, bd, &is.predicted, &E2);
 	is.change = t*sqrt(field_dot(k->n, k->d, k->d)/(k->n/3.0)*k->m->scale/k->m->g.T);
@@ -222,7 +138,7 @@ converged(const FitOptions *o, const Outcome *is, double E, double moved, const 
 		return 1;
 	if (is->cut)
 		return 0;
-	return is->change < (E > flat*past->E[last] ? 1 : SURE)*o->tolerance || is->predicted <= FLAT*E;
+	return is->change < (E > flat*past->E[last] ? 1 : SURE)*o->tolerance || is->predicted <= o->flat*E;
 }
 
 int
@@ -232,15 +148,16 @@ fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 	Past past = { .steps = 0 };
 	int blunt, flat, done = 0;
 	Outcome is;
-	Work k;
+	FitSolve k;
 
-	if (prepare(&k, m))
+	if (fitsolve_init(&k, m))
 		return FIT_ENOMEM;
+	k.tolerance = o->tolerance;
 	blunt = o->sharpen && sharpness(m, phi) < 1;
 	set_weights(m, o->sharpen && !blunt);
 	at->nu = m->g.nu, at->nv = m->g.nv, at->step = 0;
 	at->energy = E = misfit_energy(m, phi);
-	while (!done && at->step < o->most && isfinite(E)) {
+	while (!done && !k.error && at->step < o->most && isfinite(E)) {
 		remember(&past, E, moved);
 		is = step(&k, phi, &E);
 		moved += is.change;
@@ -262,6 +179,6 @@ fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 		}
 	}
 	at->worst = done ? 0 : misfit_worst(m, phi);
-	release(&k);
-	return done;
+	fitsolve_free(&k);
+	return k.error ? k.error : done;
 }

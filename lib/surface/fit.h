@@ -1,7 +1,7 @@
 /* fit.h - the surface of least misfit on one grid, by Gauss-Newton steps.
  *
  * Each step solves  J'J d = -J'r  by conjugate gradients, preconditioned by the plate
- * (plate.h) and stopped at the border of a trust region (cg.h), whose radius is adapted to
+ * (plate.h), with the unresolved nodes solved directly (patch.h), and stopped at the border of a trust region (cg.h), whose radius is adapted to
  * the ratio of the actual to the predicted decrease of E.  doc/mathematics.md 6.4.
  */
 #ifndef FIT_H
@@ -24,6 +24,7 @@ typedef struct FitProgress {
 typedef struct FitOptions {
 	double tolerance;               /* converged when change is smaller */
 	int    most;                    /* steps at most */
+	double flat;                    /* converged when a step is predicted to lower E by a smaller share */
 	int    sharpen;                 /* adapt w and alpha to the data */
 	void (*report)(void *ctx, const FitProgress *at);       /* or NULL */
 	void  *ctx;

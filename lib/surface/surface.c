@@ -13,6 +13,9 @@ enum { COARSEST = 65*65 };      /* fewest nodes of a coarse grid */
 static const double SQUARE = 1.5;       /* both axes are coarsened up to this ratio of the steps */
 static const double ENOUGH = 1e-4;      /* tolerance of coarse grids */
 enum { ROUGH = 12 };            /* most steps on coarse grids */
+/* The share of E that is not worth another step: on the finest grid, and on coarse ones, where the
+ * interpolation to the next grid changes E by far more. */
+static const double FLAT = 1e-6, FLAT_COARSE = 1e-3;
 static const double WHOLE[2] = { 1, 1 };
 
 typedef struct Level {
@@ -164,7 +167,7 @@ static int
 descend(const Surface *s, double unit, const Level *l, const FitOptions *o, double *finest,
 	FitProgress *at)
 {
-	FitOptions coarse = *o;
+	FitOptions coarse = *o, last = *o;
 	Level below = { .phi = NULL };
 	int r, rings = s->free ? 0 : 1;
 
@@ -181,11 +184,13 @@ descend(const Surface *s, double unit, const Level *l, const FitOptions *o, doub
 		r = start_from_frame(s, l, finest);
 	if (r < 0)
 		return r;
+	last.flat = FLAT;
 	if (l->phi == finest)
-		return fit_finest(s, unit, l, o, at);
+		return fit_finest(s, unit, l, &last, at);
 	coarse.tolerance = o->tolerance > ENOUGH ? o->tolerance : ENOUGH;
 	coarse.most = ROUGH;
 	coarse.sharpen = 0;
+	coarse.flat = s->free ? FLAT : FLAT_COARSE;
 	return fit_level(l, NULL, s->free, &coarse, at);
 }
 

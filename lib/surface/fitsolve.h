@@ -1,0 +1,37 @@
+/* fitsolve.h - the linear system of a Gauss-Newton step.  Private to fit.
+ *
+ * J'J d = -J'r, by conjugate gradients preconditioned by the plate, in a trust region.  The unresolved
+ * nodes are deflated (patch.h). */
+#ifndef FITSOLVE_H
+#define FITSOLVE_H
+
+#include "../poisson/plate.h"
+#include "misfit.h"
+#include "patch.h"
+
+typedef struct FitSolve {
+	Misfit *m;
+	const double *phi;              /* the surface at which J is taken */
+	Plate   plate;
+	size_t  n;                      /* numbers in a vector */
+	double *r, *z, *p, *q, *d, *y;  /* residual, preconditioned, direction, J'J p; step, trial */
+	Patch   patch;
+	int     deflate;                /* the patch is solved directly in this step */
+	int     steps;                  /* Gauss-Newton steps before this one */
+	double  tolerance;
+	int     error;                  /* 0 or FIT_ENOMEM */
+	double  radius;                 /* of the trust region, in the norm of the plate */
+	int     near;                   /* the last step was short, not cut, and E fell as predicted */
+	long    solves;
+} FitSolve;
+
+/* Returns 0 or FIT_ENOMEM; k then holds nothing to free. */
+int  fitsolve_init(FitSolve *k, Misfit *m);
+void fitsolve_free(FitSolve *k);
+
+/* Solves for the step d at phi, of energy E; the negative gradient is in r, which is overwritten.
+ * Returns the predicted decrease of E; *length is |d| in the plate norm, *spent is set if CG reached its
+ * limit of steps.  After a failure k->error is set. */
+double fitsolve(FitSolve *k, const double *phi, double E, double *length, int *spent);
+
+#endif

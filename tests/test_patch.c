@@ -1,0 +1,169 @@
+/* test_patch.c - the unresolved nodes: the matrix on them, and corrections that keep their residual 0. */
+#include "cmock.h"
+
+#include <omp.h>
+
+#include "../lib/base/field.h"
+#include "../lib/grid/stencil.h"
+#include "../lib/surface/patch.h"
+#include "charts.h"
+#include "surfaces.h"
+
+enum { NU = 46, NV = 58, N = NU*NV };
+
+static double phi[3*N], lambda2[N], l2H[N], z[3*N], q[3*N], d[3*N];
+
+/* A torus patch with noise; H is so large at a few nodes, also beside the sides, that they are not
+ * resolved. */
+static Misfit
+misfit_with_peaks(const ChartKind *kind)
+{
+	static const int peak[][2] = { { 1, 1 }, { 20, 30 }, { 22, 30 }, { 44, 9 }, { 30, 56 } };
+	Chart g = { NU, NV, 0.8, kind };
+	double *x[3] = { phi, phi + N, phi + 2*N };
+	unsigned long long seed = 3;
+	Misfit m;
+	int k, p;
+
+	sample_immersion(torus, g, 1, x, NULL, NULL);
+	for (p = 0; p < 3*N; p++)
+		phi[p] += 1e-3*noise(&seed);
+	for (p = 0; p < N; p++) {
+		lambda2[p] = 1;
+		l2H[p] = 1;
+	}
+	for (k = 0; k < 5; k++)
+		l2H[peak[k][1]*NU + peak[k][0]] = 1e3;
+	assert_int_equal(misfit_init(&m, g, lambda2, l2H, NULL), 0);
+	m.w = 40;
+	m.alpha = 0.6;
+	return m;
+}
+
+/* The largest number of x on the nodes of S, or on the others. */
+static double
+largest_on(const Patch *p, int inside, const double *x)
+{
+	double most = 0;
+	int k;
+
+	for (k = 0; k < 3*N; k++)
+		if ((p->number[k%N] >= 0) == inside)
+			most = fmax(most, fabs(x[k]));
+	return most;
+}
+
+static void
+random_inner(const Misfit *m, double *x)
+{
+	unsigned long long seed = 7;
+	int k;
+
+	for (k = 0; k < 3*N; k++)
+		x[k] = stencil_is_inner(m->g, k%N%NU, k%N/NU) ? noise(&seed) : 0;
+}
+
+/* (A z)_S = 0 after a correction, on every kind of chart, and z is as before elsewhere. */
+static void
+corrected_directions_leave_no_residual(void **state)
+{
+	Misfit m;
+	Patch p;
+	int k, i;
+
+	(void)state;
+	for (k = 0; k < 4; k++) {
+		m = misfit_with_peaks(KINDS[k]);
+		assert_int_equal(patch_init(&p, &m), 0);
+		assert_in_range(p.nodes, 20, 60);
+		assert_int_equal(patch_set(&p, phi), 0);
+		random_inner(&m, z);
+		memcpy(d, z, sizeof d);
+		misfit_normal(&m, phi, z, q);
+		assert_true(largest_on(&p, 1, q) > 1);
+		assert_int_equal(patch_correct(&p, z), 0);
+		misfit_normal(&m, phi, z, d);
+		assert_true(largest_on(&p, 1, d) < 1e-7*largest_on(&p, 1, q));
+		random_inner(&m, q);
+		for (i = 0; i < 3*N; i++)
+			assert_true(p.number[i%N] >= 0 || z[i] == q[i]);
+		patch_free(&p);
+		misfit_free(&m);
+	}
+}
+
+/* The start solves the equations on S alone, and predicts the decrease of E. */
+static void
+start_solves_the_patch(void **state)
+{
+	Misfit m = misfit_with_peaks(&CHART_RECTANGLE);
+	double decrease;
+	Patch p;
+
+	(void)state;
+	assert_int_equal(patch_init(&p, &m), 0);
+	assert_int_equal(patch_set(&p, phi), 0);
+	random_inner(&m, z);
+	memset(d, 0, sizeof d);
+	decrease = patch_start(&p, z, d);
+	assert_true(largest_on(&p, 0, d) == 0);
+	misfit_normal(&m, phi, d, q);
+	assert_true(fabs(field_dot(3*N, d, q)/decrease - 1) < 1e-6);
+	field_add(3*N, -1, z, q);
+	assert_true(largest_on(&p, 1, q) < 1e-6);
+	patch_clear(&p, z);
+	assert_true(largest_on(&p, 1, z) == 0 && largest_on(&p, 0, z) > 0.5);
+	patch_free(&p);
+	misfit_free(&m);
+}
+
+static void
+resolved_grids_have_no_patch(void **state)
+{
+	Misfit m = misfit_with_peaks(&CHART_RECTANGLE);
+	Patch p;
+	int k;
+
+	(void)state;
+	for (k = 0; k < N; k++)
+		m.o[k] = 0.5;
+	assert_int_equal(patch_init(&p, &m), 0);
+	assert_int_equal(p.nodes, 0);
+	patch_free(&p);
+	misfit_free(&m);
+}
+
+static void
+threads_change_no_bit(void **state)
+{
+	Misfit m = misfit_with_peaks(&PILLOW);
+	Patch p;
+	int threads;
+
+	(void)state;
+	for (threads = 1; threads <= 4; threads += 3) {
+		omp_set_num_threads(threads);
+		assert_int_equal(patch_init(&p, &m), 0);
+		assert_int_equal(patch_set(&p, phi), 0);
+		random_inner(&m, z);
+		assert_int_equal(patch_correct(&p, z), 0);
+		if (threads == 1)
+			memcpy(d, z, sizeof d);
+		patch_free(&p);
+	}
+	assert_memory_equal(d, z, sizeof d);
+	misfit_free(&m);
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(corrected_directions_leave_no_residual),
+		cmocka_unit_test(start_solves_the_patch),
+		cmocka_unit_test(resolved_grids_have_no_patch),
+		cmocka_unit_test(threads_change_no_bit),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
