@@ -109,7 +109,7 @@ opt_cells(char *s, Chart *g, double *keep)
 /* Bytes of memory, above all measured numbers: for each vertex of the map; of these, what is kept
  * while the grid is made; for each crossing of the overlay; for each node, and if the grid is
  * polished. */
-enum { PER_VERTEX = 1500, KEPT = 500, PER_CROSSING = 250, PER_NODE = 8*6, PER_POLISHED = 8*46 };
+enum { PER_VERTEX = 1500, KEPT = 500, PER_CROSSING = 250, PER_NODE = 8*13, PER_POLISHED = 8*46 };
 
 /* Dies if memory is too small for the mesh and the grid, and notes if it may be too small for what
  * refinement adds, which is not known before. */

@@ -33,7 +33,7 @@ rows(double x[3][NODES], const double *phi[3])
 	phi[0] = x[0], phi[1] = x[1], phi[2] = x[2];
 }
 
-/* Point p: its (u,v), corners and sides among them, and its place in space, near the sheet or far away. */
+/* Point p: its (u,v), corners and sides among them, and its place in space, near the sheet or far. */
 static void
 point(int p, double *u, double *v, double x[3])
 {

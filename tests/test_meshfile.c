@@ -873,7 +873,8 @@ offsets(void **state)
 	(void)state;
 	for (i = 0; i < 2; i++) {
 		if (i)
-			snprintf(text, sizeof text, PLYUV("", "property float s\nproperty double offset_n\nproperty float t\n"
+			snprintf(text, sizeof text, PLYUV("",
+			    "property float s\nproperty double offset_n\nproperty float t\n"
 			    "property double offset_u\nproperty double offset_r\nproperty double offset_v\n")
 			    "0 0 0 0 .25 0 1 0 -.5\n1 0 0 1 0 0 0 0 0\n0 1 0 0 5e-3 1 3 .125 4\n3 0 1 2\n");
 		else
@@ -889,12 +890,14 @@ offsets(void **state)
 	refusesuv(text, MESH_EFORMAT, "2 offsets for 3 vertices");
 	snprintf(text, sizeof text, TRI VT "f 1/1 2/2 3/3\n" "%s%s", one, three);
 	refusesuv(text, MESH_EFORMAT, "line 9: offset 1 ends in '', need four numbers");
-	refusesuv(TRI VT "# lhgrid offset 1 2 x 4\nf 1/1 2/2 3/3\n", MESH_EFORMAT, "line 7: offset 0 ends in 'x'");
+	refusesuv(TRI VT "# lhgrid offset 1 2 x 4\nf 1/1 2/2 3/3\n", MESH_EFORMAT,
+	    "line 7: offset 0 ends in 'x'");
 	snprintf(text, sizeof text, TRI VT "f 1/1 2/2 3/3\n" "%s%s# lhgrid offset 0 0 0 -1\n", one, two);
 	refusesuv(text, MESH_EVALUE, "vertex 2 has an offset that is not finite, or of negative extent");
 	snprintf(text, sizeof text, TRI VT "f 1/1 2/2 3/3\n" "%s# lhgrid offset 0 inf 0 1\n%s", one, two);
 	refusesuv(text, MESH_EVALUE, "vertex 1 has an offset that is not finite");
-	refusesuv(PLYUV("", "property float s\nproperty float t\nproperty float offset_u\nproperty float offset_n\n"),
+	refusesuv(PLYUV("",
+	    "property float s\nproperty float t\nproperty float offset_u\nproperty float offset_n\n"),
 	    MESH_EFORMAT, "vertices have 2 of the properties offset_u offset_v offset_n offset_r");
 }
 

@@ -71,8 +71,8 @@ waves_of(const CmdInput *in, const Lhg *g)
 	return waves;
 }
 
-/* The offsets o in the channel MESH_OFFSET of s, those that are short against a wave made shorter by the
- * square of the ratio.  The width of the rectangle is the unit of o. */
+/* The offsets o in the channel MESH_OFFSET of s, those short against a wave made shorter by the square
+ * of the ratio.  The width of the rectangle is the unit of o. */
 static void
 add_offsets(const OnMesh *on, double waves, const double *o, Soup *s)
 {

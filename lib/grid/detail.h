@@ -42,8 +42,9 @@ void detail_free(Detail *d);
 /* The offset o of a vertex at x with that (u,v). */
 void detail_offset(const Detail *d, double u, double v, const double x[3], double o[DETAIL_SIZE]);
 
-/* The vertex x with that (u,v) and offset; T is the height of the rectangle of detail_offset.  Where the
- * frame does not exist, as on a surface shrunk to a line, any frame is taken. */
-void detail_vertex(const Detail *d, double T, double u, double v, const double o[DETAIL_SIZE], double x[3]);
+/* The vertex x with that (u,v) and offset; T is the height of the rectangle of detail_offset.  Where
+ * the frame does not exist, as on a surface shrunk to a line, any frame is taken. */
+void detail_vertex(const Detail *d, double T, double u, double v, const double o[DETAIL_SIZE],
+	double x[3]);
 
 #endif

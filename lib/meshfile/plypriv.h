@@ -7,7 +7,7 @@
 enum { PLY_ASCII, PLY_LITTLE, PLY_BIG };
 enum { PLY_OTHER, PLY_VERTEX, PLY_FACE, PLY_STRIP };    /* kinds of elements */
 enum { PLY_SKIP = -1, PLY_CORNERS = 3, PLY_UV = 4, PLY_OFFSET = 10, PLY_USES = 14 };
-                                /* uses of a property; 0 1 2: x y z; 4 5, 6 7, 8 9: pairs u v; then the offset */
+                                /* uses of a property; 0 1 2: x y z; 4 5, 6 7, 8 9: u v; then the offset */
 enum { PLY_MAXELEM = 32, PLY_MAXPROP = 256 };
 
 typedef struct PlyType {

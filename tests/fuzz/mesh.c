@@ -34,6 +34,7 @@ static void
 valid(const Soup *s)
 {
 	const double *uv = channel_values(&s->channels, MESH_UV);
+	const double *o = channel_values(&s->channels, MESH_OFFSET);
 	size_t i;
 	int f;
 
@@ -47,6 +48,8 @@ valid(const Soup *s)
 		fuzz_need(isfinite(s->xyz[i]), "a coordinate is not finite");
 	for (i = 0; uv && i < 2*(size_t)s->nv; i++)
 		fuzz_need(isfinite(uv[i]), "a (u,v) is not finite");
+	for (i = 0; o && i < 4*(size_t)s->nv; i++)
+		fuzz_need(isfinite(o[i]) && (i%4 < 3 || o[i] >= 0), "an offset is not finite");
 	fuzz_need(s->T >= 0 && isfinite(s->T), "T is neither 0 nor positive");
 }
 
@@ -62,6 +65,8 @@ static void
 same(const Soup *a, const Soup *b)
 {
 	const double *u = channel_values(&a->channels, MESH_UV), *v = channel_values(&b->channels, MESH_UV);
+	const double *o = channel_values(&a->channels, MESH_OFFSET);
+	const double *p = channel_values(&b->channels, MESH_OFFSET);
 	size_t nv = (size_t)a->nv, nf = (size_t)a->nf, i;
 
 	fuzz_need(a->nv == b->nv && a->nf == b->nf, "a mesh comes back with other counts");
@@ -72,6 +77,7 @@ same(const Soup *a, const Soup *b)
 	for (i = 0; u && i < (size_t)a->first[nf]; i++)
 		fuzz_need(samebits(u + 2*(size_t)a->idx[i], v + 2*(size_t)a->idx[i], 2*sizeof(double)),
 		    "(u,v) do not come back");
+	fuzz_need(!o == !p && (!o || samebits(o, p, 4*nv*sizeof(double))), "offsets do not come back");
 }
 
 /* Writes the soup in that format and reads it again. */
