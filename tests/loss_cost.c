@@ -1,0 +1,82 @@
+/* loss_cost - what it costs to measure the loss of a grid, beside the map that makes the grid.
+ *
+ * usage: loss_cost MESH
+ * prints the processor seconds of mapping and sampling MESH on 257 x 257 nodes, those of gridloss, and
+ * the second over the first in percent.  Only for measurements: it tests nothing. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "../lib/grid/gridloss.h"
+#include "../lib/map/conformal.h"
+#include "../lib/map/corners.h"
+#include "../lib/mesh/disk.h"
+#include "../lib/meshfile/meshfile.h"
+
+static void
+quit(const char *why)
+{
+	fprintf(stderr, "loss_cost: %s\n", why);
+	exit(1);
+}
+
+static double
+now(void)
+{
+	struct timespec t;
+
+	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+	return t.tv_sec + 1e-9*t.tv_nsec;
+}
+
+static void
+load(const char *path, Disk *d)
+{
+	FILE *f = fopen(path, "rb");
+	char *bytes;
+	long n = -1;
+	Soup s;
+
+	if (f && fseek(f, 0, SEEK_END) == 0)
+		n = ftell(f);
+	if (n < 0 || fseek(f, 0, SEEK_SET))
+		quit("cannot read the file");
+	if (!(bytes = malloc(n + 1)) || fread(bytes, 1, n, f) != (size_t)n)
+		quit("cannot read the file");
+	fclose(f);
+	if (meshfile_parse(&s, bytes, n, (size_t)1 << 32))
+		quit(s.err);
+	free(bytes);
+	if (disk_from_soup(d, &s))
+		quit(d->err);
+	soup_free(&s);
+}
+
+int
+main(int argc, char *argv[])
+{
+	const ConformalOptions options = { .map = { 1e-3, 1, 300000 }, .surface = SAMPLER_SMOOTH,
+		.polish = 12 };
+	const Chart g = { 257, 257, 1, &CHART_RECTANGLE };
+	double begin, mapped, measured;
+	SpdReport report;
+	int corner[4];
+	GridLoss loss;
+	Conformal c;
+	Disk d;
+
+	if (argc != 2)
+		quit("need a mesh");
+	begin = now();
+	load(argv[1], &d);
+	if (corners_auto(&d, corner) < 0 || conformal_grid(&d, corner, g, &options, &c, &report))
+		quit("the map failed");
+	mapped = now();
+	if (gridloss(&d.m, c.u, c.v, c.grid.g, c.grid.phi, &loss))
+		quit("no memory");
+	measured = now();
+	printf("%.3f %.4f %.1f\n", mapped - begin, measured - mapped, 100*(measured - mapped)/(mapped - begin));
+	conformal_free(&c);
+	disk_free(&d);
+	return 0;
+}
