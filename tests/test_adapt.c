@@ -47,7 +47,7 @@ split_all_gives_four_of_each(void **state)
 	synth_disk("face", 300, &s, &dom, &d, NULL);
 	marked = malloc(d.m.nf);
 	memset(marked, 1, d.m.nf);
-	assert_int_equal(refine_split(&d, marked, &finer, NULL), 0);
+	assert_int_equal(refine_split(&d, marked, NULL, &finer, NULL), 0);
 	assert_int_equal(finer.m.nf, 4*d.m.nf);
 	assert_int_equal(finer.nb, 2*d.nb);
 	check_finer(&d, &finer);
@@ -86,7 +86,7 @@ split_similar_keeps_angles(void **state)
 
 	(void)state;
 	synth_disk("face", 300, &s, &dom, &d, NULL);
-	assert_int_equal(refine_split(&d, NULL, &finer, NULL), 0);
+	assert_int_equal(refine_split(&d, NULL, NULL, &finer, NULL), 0);
 	assert_int_equal(finer.m.nf, 4*d.m.nf);
 	assert_int_equal(finer.nb, 2*d.nb);
 	check_finer(&d, &finer);
@@ -113,7 +113,7 @@ split_some_is_conforming(void **state)
 		marked = calloc(d.m.nf, 1);
 		for (f = 0; f < d.m.nf; f++)
 			marked[f] = noise(&seed) > 0.7;
-		assert_int_equal(refine_split(&d, marked, &finer, NULL), 0);
+		assert_int_equal(refine_split(&d, marked, NULL, &finer, NULL), 0);
 		check_finer(&d, &finer);
 		free(marked);
 		disk_free(&d);

@@ -240,7 +240,7 @@ kept_by_splitting(void **state)
 		f[2*i] = s.d.m.xyz[3*i], f[2*i+1] = 3*s.d.m.xyz[3*i+2] - 1;
 	marked[5] = 1;
 	for (all = 0; all < 2; all++) {
-		assert_int_equal(refine_split(&s.d, all ? NULL : marked, &finer, NULL), 0);
+		assert_int_equal(refine_split(&s.d, all ? NULL : marked, NULL, &finer, NULL), 0);
 		assert_true(finer.m.nv > s.d.m.nv);
 		g = channel_values(&finer.channels, "two");
 		for (i = 0; i < finer.m.nv; i++)

@@ -305,7 +305,7 @@ split_to(int n, int everywhere, Subdivision *s)
 			for (k = 0; k < 3; k++)
 				marked[t] |= degree[m->tri[3*t+k]] > 40;
 		}
-		assert_int_equal(subdivision_refine(s, everywhere ? NULL : marked, NULL), 0);
+		assert_int_equal(subdivision_refine(s, everywhere ? NULL : marked, NULL, NULL), 0);
 		free(marked), free(degree);
 	}
 }

@@ -476,7 +476,7 @@ quadratics_are_exact(void **state)
 
 	(void)state;
 	synth_disk("rectangle", 300, &s, &dom, &d, NULL);
-	assert_int_equal(refine_split(&d, NULL, &fine, NULL), 0);
+	assert_int_equal(refine_split(&d, NULL, NULL, &fine, NULL), 0);
 	assert_int_equal(cotangent_init(&C0, &d) | cotangent_init(&C, &fine), 0);
 	assert_int_equal(cotangent_quadratic(&C, &C0), 0);
 	x = malloc(fine.m.nv*sizeof *x);

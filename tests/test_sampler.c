@@ -78,7 +78,7 @@ make_fine(const Disk *d, Fine *f)
 
 	assert_int_equal(subdivision_init(&f->s, d), 0);
 	for (i = 0; i < 4; i++)
-		assert_int_equal(subdivision_refine(&f->s, NULL, NULL), 0);
+		assert_int_equal(subdivision_refine(&f->s, NULL, NULL, NULL), 0);
 	f->u = malloc(f->s.d.m.nv*sizeof *f->u), f->v = malloc(f->s.d.m.nv*sizeof *f->v);
 	for (i = 0; i < f->s.d.m.nv; i++)
 		warp(f->s.d.m.xyz[3*i], f->s.d.m.xyz[3*i+1], &f->u[i], &f->v[i]);

@@ -301,11 +301,11 @@ refined_is_linear(void **state)
 	marked = malloc(s.d.m.nf);
 	for (f = 0; f < s.d.m.nf; f++)
 		marked[f] = rng_unit(&seed) < .3;
-	assert_int_equal(subdivision_refine(&s, marked, NULL), 0);
+	assert_int_equal(subdivision_refine(&s, marked, NULL, NULL), 0);
 	assert_true(disks_is_disk(&s.d));
 	check_linear(&s);
 	nf = s.d.m.nf;
-	assert_int_equal(subdivision_refine(&s, NULL, &before), 0);
+	assert_int_equal(subdivision_refine(&s, NULL, NULL, &before), 0);
 	assert_int_equal(before.m.nf, nf);
 	assert_int_equal(s.d.m.nf, 4*nf);
 	assert_true(disks_is_disk(&s.d) && disks_is_disk(&before));

@@ -7,6 +7,8 @@
 #include "adapt.h"
 #include "harmonic.h"
 #include "rectmap.h"
+#include "vertexkey.h"
+#include "worst.h"
 #include "../mesh/topology.h"
 #include "../base/vec3.h"
 
@@ -14,7 +16,6 @@ enum { GRADED = 3 };                    /* splits of the faces at the corners be
 enum { GROWTH = 4, FEW = 20000 };       /* if the tolerance is not reached with FEW vertices, nor
                                          * with GROWTH times the given ones, the shape of the
                                          * triangles is the reason */
-static const double SHARE = 0.7;        /* of the certificate that the faces to split hold together */
 
 /* The term of triangle t in the sum for T certificate (adapt.h).  With a, b its sides at
  * corner 0, g their Gram matrix and A its area,
@@ -37,45 +38,23 @@ term(const AdaptMap *m, int t)
 	return energy/(8*area) - (ua*vb - ub*va)/2;
 }
 
-typedef struct Ranked {
-	double term;
-	int    t;
-} Ranked;
-
-static int
-larger_first(const void *a, const void *b)
-{
-	const Ranked *x = a, *y = b;
-
-	if (x->term != y->term)
-		return x->term < y->term ? 1 : -1;
-	return x->t > y->t ? 1 : -1;
-}
-
-/* Marks the triangles with the largest terms: the fewest that hold SHARE of the certificate,
- * and at most `most`.  Returns their number, or SPD_ENOMEM.  It is 0 if `most` is 0 or if
- * rounding leaves no term above 0. */
+/* Marks the triangles with the largest terms (worst.h).  Returns their number, or SPD_ENOMEM.  It is 0
+ * if `most` is 0 or if rounding leaves no term above 0. */
 static int
 mark(const AdaptMap *m, int most, unsigned char *marked)
 {
-	int nf = m->mesh.d.m.nf, t, k;
-	Ranked *r = malloc(nf*sizeof *r);
-	double all = 0, sum = 0;
+	int nf = m->mesh.d.m.nf, t, n = 0;
+	double *terms = malloc(2*(size_t)nf*sizeof *terms), least;
 
-	if (!r)
+	if (!terms)
 		return SPD_ENOMEM;
-	memset(marked, 0, nf);
-	for (t = 0; t < nf; t++) {
-		r[t] = (Ranked){ term(m, t), t };
-		all += r[t].term;
-	}
-	qsort(r, nf, sizeof *r, larger_first);
-	for (k = 0; k < nf && k < most && sum < SHARE*all; k++) {
-		sum += r[k].term;
-		marked[r[k].t] = 1;
-	}
-	free(r);
-	return k;
+	for (t = 0; t < nf; t++)
+		terms[t] = term(m, t);
+	least = worst_terms(terms, nf, most, terms + nf);
+	for (t = 0; t < nf; t++)
+		n += marked[t] = terms[t] >= least;
+	free(terms);
+	return n;
 }
 
 static void
@@ -109,10 +88,12 @@ solve(AdaptMap *m, const Disk *coarse, const int vertex[4], SpdReport *report)
 
 /* Splits the marked faces of m's mesh into four.  Frees marked. */
 static int
-split_marked(AdaptMap *m, unsigned char *marked)
+split_marked(AdaptMap *m, const int vertex[4], unsigned char *marked)
 {
-	int e = subdivision_refine(&m->mesh, marked, NULL);
+	double *key = vertex_keys(&m->mesh.d.m, vertex);
+	int e = key ? subdivision_refine(&m->mesh, marked, key, NULL) : SPD_ENOMEM;
 
+	free(key);
 	free(marked);
 	m->rounds++;
 	return e ? SPD_ENOMEM : 0;
@@ -121,7 +102,7 @@ split_marked(AdaptMap *m, unsigned char *marked)
 /* Splits the faces with the largest terms, at most `most` of them.  Returns their number, or
  * SPD_ENOMEM. */
 static int
-split_worst(AdaptMap *m, int most)
+split_worst(AdaptMap *m, const int vertex[4], int most)
 {
 	unsigned char *marked = malloc(m->mesh.d.m.nf);
 	int n = marked ? mark(m, most, marked) : SPD_ENOMEM;
@@ -130,7 +111,7 @@ split_worst(AdaptMap *m, int most)
 		free(marked);
 		return n;
 	}
-	return split_marked(m, marked) ? SPD_ENOMEM : n;
+	return split_marked(m, vertex, marked) ? SPD_ENOMEM : n;
 }
 
 /* Splits and solves until the certificate is small enough, or no face can be split.  ADAPT_HARD if that
@@ -143,7 +124,7 @@ refine(AdaptMap *a, const AdaptOptions *o, const int vertex[4], SpdReport *repor
 	while (!e && n > 0 && a->certificate > o->tolerance && a->mesh.d.m.nv < o->most) {
 		if (a->mesh.d.m.nv > FEW && a->mesh.d.m.nv/GROWTH > given)
 			return ADAPT_HARD;
-		n = split_worst(a, (o->most - a->mesh.d.m.nv)/2);
+		n = split_worst(a, vertex, (o->most - a->mesh.d.m.nv)/2);
 		if (n < 0)
 			e = SPD_ENOMEM;
 		else if (n > 0)
@@ -163,7 +144,7 @@ split_all(AdaptMap *m, const AdaptOptions *o, const int vertex[4], SpdReport *re
 	for (k = 0; !e && k < o->split && m->mesh.d.m.nv <= o->most/4; k++) {
 		disk_free(&coarse);
 		coarse = (Disk){ 0 };
-		e = subdivision_refine(&m->mesh, NULL, &coarse) ? SPD_ENOMEM : 0;
+		e = subdivision_refine(&m->mesh, NULL, NULL, &coarse) ? SPD_ENOMEM : 0;
 		m->rounds++;
 	}
 	m->quadratic = k > 0;
@@ -195,7 +176,7 @@ split_corners(AdaptMap *m, const int vertex[4])
 		marked[t] = corner[c[0]] | corner[c[1]] | corner[c[2]];
 	}
 	free(corner);
-	return split_marked(m, marked);
+	return split_marked(m, vertex, marked);
 }
 
 /* Splits the inner edges between two vertices of one side of the rectangle: the triangles that they

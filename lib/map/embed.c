@@ -2,15 +2,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../base/vec3.h"
 #include "../intrinsic/edgepoints.h"
 #include "../intrinsic/flips.h"
 #include "embed.h"
 #include "harmonic.h"
+#include "vertexkey.h"
 
-enum { ROUNDS = 12, FEET = 4 };         /* rounds of splitting at most; the first FEET add feet, too */
-static const double EQUAL = 1e-6;       /* relative difference of two numbers that differ by
-                                         * rounding only */
+enum { ROUNDS = 12, FEET = 4 };         /* of splitting at most: all, those with feet of obtuse angles */
 
 /* Whether a map would shrink edge e to a point or put it on a side of the rectangle: a loop, or an
  * inner edge between vertices of one side. */
@@ -130,46 +128,11 @@ triangulate(Embeddable *s, int feet, EdgePoints *points)
 	return e;
 }
 
-/* The corners in an order that depends on their places alone: from the one farthest from the others, to
- * the farther of its neighbours first. */
-static void
-order_corners(const double *xyz, const int vertex[4], int order[4])
-{
-	double far[4], x[3];
-	int i, k, first = 0, step;
-
-	for (k = 0; k < 4; k++)
-		for (far[k] = 0, i = 0; i < 4; i++) {
-			sub3(&xyz[3*(size_t)vertex[i]], &xyz[3*(size_t)vertex[k]], x);
-			far[k] += norm3(x);
-		}
-	for (k = 1; k < 4; k++)
-		if (far[k] > far[first]*(1 + EQUAL))
-			first = k;
-	step = far[(first+3)%4] > far[(first+1)%4]*(1 + EQUAL) ? 3 : 1;
-	for (k = 0; k < 4; k++)
-		order[k] = vertex[(first + step*k)%4];
-}
-
-/* A number at each vertex that depends on the shape alone: the sum of its distances to the
- * corners.  These have slightly different weights, so that on symmetric surfaces the numbers
- * differ, too. */
 static int
 set_keys(Embeddable *s)
 {
-	static const double share[4] = { 1, 1.0103, 1.0237, 1.0391 };
-	const double *xyz = s->mesh.d.m.xyz;
-	int i, k, nv = s->mesh.d.m.nv, corner[4];
-	double x[3];
-
-	order_corners(xyz, s->vertex, corner);
 	free(s->key);
-	s->key = malloc(nv*sizeof *s->key);
-	for (i = 0; s->key && i < nv; i++)
-		for (s->key[i] = 0, k = 0; k < 4; k++) {
-			sub3(&xyz[3*(size_t)i], &xyz[3*(size_t)corner[k]], x);
-			s->key[i] += share[k]*norm3(x);
-		}
+	s->key = vertex_keys(&s->mesh.d.m, s->vertex);
 	return s->key ? 0 : EMBED_ENOMEM;
 }
 

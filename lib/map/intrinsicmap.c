@@ -5,9 +5,8 @@
 
 #include "../intrinsic/edgepoints.h"
 #include "intrinsicmap.h"
+#include "worst.h"
 
-static const double SHARE = 0.7;        /* of the certificate that the triangles to split hold
-                                         * together */
 static const double FULL = 0.9;         /* share of the vertices allowed at which refinement ends:
                                          * another round would add few */
 static const double EQUAL = 1e-6;       /* relative difference of two numbers that differ by
@@ -29,31 +28,6 @@ term(const IntrinsicMap *m, int f)
 	    - (ua*vb - ub*va)/2;
 }
 
-static int
-falling(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return x < y ? 1 : x > y ? -1 : 0;
-}
-
-/* The term above which the triangles hold SHARE of the certificate, at most `most` of them;
- * sorted: workspace, [nf]. */
-static double
-threshold(const double *terms, int nf, int most, double *sorted)
-{
-	double all = 0, sum = 0;
-	int k;
-
-	memcpy(sorted, terms, nf*sizeof *sorted);
-	qsort(sorted, nf, sizeof *sorted, falling);
-	for (k = 0; k < nf; k++)
-		all += sorted[k];
-	for (k = 0; k < nf && k < most && sum < SHARE*all; k++)
-		sum += sorted[k];
-	return k > 0 && all > 0 ? sorted[k-1]*(1 - EQUAL) : HUGE_VAL;
-}
-
 /* Marks the longest edge of each triangle with one of the largest terms. */
 static int
 mark_worst(const IntrinsicMap *m, int most, unsigned char *marked)
@@ -66,7 +40,7 @@ mark_worst(const IntrinsicMap *m, int most, unsigned char *marked)
 		return SPD_ENOMEM;
 	for (f = 0; f < t->nf; f++)
 		terms[f] = term(m, f);
-	least = threshold(terms, t->nf, most, terms + t->nf);
+	least = worst_terms(terms, t->nf, most, terms + t->nf);
 	memset(marked, 0, t->ne);
 	for (f = 0; f < t->nf; f++) {
 		double l0 = intrinsic_length(t, 3*f), l1 = intrinsic_length(t, 3*f + 1);

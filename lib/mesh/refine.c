@@ -1,86 +1,22 @@
 /* refine.c - longest-edge bisection with closure. */
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "channel.h"
+#include "longestside.h"
 #include "refine.h"
 #include "topology.h"
-#include "../base/vec3.h"
 
 /* A refinement under construction.  Side 3f+k of face f goes from its corner k to corner k+1. */
 typedef struct Split {
 	const Disk *d;
 	Topology    t;
-	int         similar;    /* 1: all faces are split into four similar ones */
-	int        *mid;        /* [3*nf] new vertex on each side; -1: not cut, CUT: to be numbered */
-	int        *stack, depth;       /* faces whose longest side may need a cut */
+	int         similar;    /* all faces, into four similar ones */
+	const double *key;      /* refine.h */
+	int        *mid;        /* [3*nf] new vertex on each side; -1: not cut, SIDE_CUT: to be numbered */
 	int        *part;       /* [3*nf][2] new side that a side becomes, or its first and second half */
 	int        *tri, *twin, nf;     /* the new faces so far */
 } Split;
-
-enum { CUT = INT_MAX };
-
-static double
-length2(const Split *s, int side)
-{
-	double e[3];
-
-	sub3(&s->d->m.xyz[3*topology_to(&s->t, side)], &s->d->m.xyz[3*topology_from(&s->t, side)], e);
-	return dot3(e, e);
-}
-
-/* The longest side of face f; of equal ones that of the lowest edge, so that neighbours choose the
- * same. */
-static int
-longest(const Split *s, int f)
-{
-	int k, best = 3*f, side, edge, best_edge;
-	double max = -1, l;
-
-	for (k = 0; k < 3; k++) {
-		side = 3*f + k;
-		l = length2(s, side);
-		edge = s->t.twin[side] >= 0 && s->t.twin[side] < side ? s->t.twin[side] : side;
-		best_edge = s->t.twin[best] >= 0 && s->t.twin[best] < best ? s->t.twin[best] : best;
-		if (l > max || (l == max && edge < best_edge)) {
-			max = l;
-			best = side;
-		}
-	}
-	return best;
-}
-
-/* Cuts a side for both its faces; the neighbour is checked again. */
-static void
-cut(Split *s, int side)
-{
-	int twin = s->t.twin[side];
-
-	if (s->mid[side] == CUT)
-		return;
-	s->mid[side] = CUT;
-	if (twin >= 0) {
-		s->mid[twin] = CUT;
-		s->stack[s->depth++] = twin/3;
-	}
-}
-
-/* Cuts until every face with a cut side has its longest side cut.  Each side is cut once, so the stack
- * holds at most one entry for each side. */
-static void
-cut_until_conforming(Split *s, const unsigned char *marked)
-{
-	int f, k;
-
-	for (f = 0; f < s->t.nf; f++)
-		for (k = 0; k < 3 && (s->similar || marked[f]); k++)
-			cut(s, 3*f + k);
-	while (s->depth > 0) {
-		f = s->stack[--s->depth];
-		cut(s, longest(s, f));
-	}
-}
 
 /* Numbers the new vertices and returns their count; *faces is the count of new faces. */
 static int
@@ -221,7 +157,7 @@ emit_face(Split *s, int f)
 			s->part[2*(3*f + k)] = side + k;
 		return;
 	}
-	side = longest(s, f), next = topology_next(side), last = topology_next(next);
+	side = longest_side(s->d, s->key, f), next = topology_next(side), last = topology_next(next);
 	m = s->mid[side], C = topology_to(&s->t, next);
 	left = emit_left(s, topology_from(&s->t, side), m, C, side, last);
 	join_sides(s, left, emit_right(s, m, topology_to(&s->t, side), C, side, next));
@@ -305,21 +241,16 @@ ends_of_cuts(const Split *s, int nv))[2]
 }
 
 int
-refine_split(const Disk *d, const unsigned char *marked, Disk *finer, int (**ends)[2])
+refine_split(const Disk *d, const unsigned char *marked, const double *key, Disk *finer, int (**ends)[2])
 {
-	Split s = { .similar = !marked, .d = d, .t = { .nv = d->m.nv, .nf = d->m.nf, .tri = d->m.tri,
-		.twin = d->twin } };
-	size_t sides = 3*(size_t)d->m.nf;
+	Split s = { .similar = !marked, .d = d, .key = key,
+	    .t = { .nv = d->m.nv, .nf = d->m.nf, .tri = d->m.tri, .twin = d->twin } };
 	int e = MESH_ENOMEM;
 
 	memset(finer, 0, sizeof *finer);
-	s.mid = malloc(sides*sizeof *s.mid);
-	s.stack = malloc(sides*sizeof *s.stack);
-	if (s.mid && s.stack) {
-		memset(s.mid, -1, sides*sizeof *s.mid);
-		cut_until_conforming(&s, marked);
+	s.mid = malloc(3*(size_t)d->m.nf*sizeof *s.mid);
+	if (s.mid && !cut_sides(d, marked, key, s.mid))
 		e = build(&s, finer);
-	}
 	if (!e && ends) {
 		*ends = ends_of_cuts(&s, finer->m.nv);
 		e = *ends ? 0 : MESH_ENOMEM;
@@ -327,7 +258,6 @@ refine_split(const Disk *d, const unsigned char *marked, Disk *finer, int (**end
 	if (e)
 		disk_free(finer);
 	free(s.mid);
-	free(s.stack);
 	free(s.part);
 	return e;
 }

@@ -264,12 +264,12 @@ subdivision_add(Subdivision *s, int n, const SurfacePoint *point)
 }
 
 int
-subdivision_refine(Subdivision *s, const unsigned char *marked, Disk *before)
+subdivision_refine(Subdivision *s, const unsigned char *marked, const double *key, Disk *before)
 {
 	Disk finer;
 	int (*ends)[2], i, old = s->d.m.nv;
 
-	if (refine_split(&s->d, marked, &finer, &ends))
+	if (refine_split(&s->d, marked, key, &finer, &ends))
 		return MESH_ENOMEM;
 	if (grow(&s->corner, finer.m.nv - (size_t)s->given, sizeof *s->corner)
 	    || grow(&s->w, finer.m.nv - (size_t)s->given, sizeof *s->w)) {

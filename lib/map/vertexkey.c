@@ -1,0 +1,45 @@
+/* vertexkey.c - weighted sums of distances to the corners. */
+#include <stdlib.h>
+
+#include "vertexkey.h"
+#include "../base/vec3.h"
+
+static const double EQUAL = 1e-6;       /* relative difference of two numbers that differ by
+                                         * rounding only */
+
+/* The corners in an order that depends on their places alone: from the one farthest from the others, to
+ * the farther of its neighbours first. */
+static void
+order_corners(const double *xyz, const int vertex[4], int order[4])
+{
+	double far[4], x[3];
+	int i, k, first = 0, step;
+
+	for (k = 0; k < 4; k++)
+		for (far[k] = 0, i = 0; i < 4; i++) {
+			sub3(&xyz[3*(size_t)vertex[i]], &xyz[3*(size_t)vertex[k]], x);
+			far[k] += norm3(x);
+		}
+	for (k = 1; k < 4; k++)
+		if (far[k] > far[first]*(1 + EQUAL))
+			first = k;
+	step = far[(first+3)%4] > far[(first+1)%4]*(1 + EQUAL) ? 3 : 1;
+	for (k = 0; k < 4; k++)
+		order[k] = vertex[(first + step*k)%4];
+}
+
+double *
+vertex_keys(const Mesh *m, const int vertex[4])
+{
+	static const double share[4] = { 1, 1.0103, 1.0237, 1.0391 };
+	double *key = malloc(m->nv*sizeof *key), x[3];
+	int i, k, corner[4];
+
+	order_corners(m->xyz, vertex, corner);
+	for (i = 0; key && i < m->nv; i++)
+		for (key[i] = 0, k = 0; k < 4; k++) {
+			sub3(&m->xyz[3*(size_t)i], &m->xyz[3*(size_t)corner[k]], x);
+			key[i] += share[k]*norm3(x);
+		}
+	return key;
+}

@@ -1,0 +1,16 @@
+/* vertexkey.h - numbers of vertices that depend on the shape alone. */
+#ifndef VERTEXKEY_H
+#define VERTEXKEY_H
+
+#include "../mesh/mesh.h"
+
+/* A number at each vertex that does not depend on how the vertices are numbered: the sum of its
+ * distances to the four corners.  These have slightly different weights, so that on symmetric
+ * surfaces the numbers differ, too.  Ties between edges are broken by it.
+ *
+ * vertex  in  the corners, as vertex numbers
+ *
+ * Returns [m->nv], to be freed; NULL if there is no memory. */
+double *vertex_keys(const Mesh *m, const int vertex[4]);
+
+#endif
