@@ -7,10 +7,9 @@
 #include "flips.h"
 
 enum { FLIPS = 20, SOME = 200000 };     /* flips at most: FLIPS per triangle and SOME */
-enum { TIES = 1 };                      /* at most, flips per triangle of edges already Delaunay */
 static const double COCIRCULAR = 1e-10; /* two cotangents count as opposite if their sum is this small,
                                          * relative to them or to 1: either diagonal is Delaunay */
-static const double EQUAL = 1e-9;       /* relative difference of equal lengths, or keys */
+static const double EQUAL = 1e-9;       /* difference of equal keys */
 
 /* The data of a side, while it gets another number. */
 typedef struct Moved {
@@ -73,38 +72,36 @@ flip(Intrinsic *t, int h)
 	return 0;
 }
 
-/* Whether the diagonal from k to l, of length c, is preferred to the one from i to j, of length d.
- * The four vertices are on a circle. */
+/* Whether the keys, continued linearly along both diagonals of a quadrilateral, are larger on the one
+ * from i to j, at the share x of it, than on the one from k to l, at the share y: where they cross. */
 static int
-is_worse(const double *key, int i, int j, double d, int k, int l, double c)
+is_higher(const double *key, int i, int j, double x, int k, int l, double y)
 {
-	if (fabs(d - c) > EQUAL*d)
-		return d > c;
-	return key && key[i] + key[j] > key[k] + key[l] + EQUAL*fabs(key[i] + key[j]);
+	return key && key[i] + x*(key[j] - key[i]) > key[k] + y*(key[l] - key[k]) + EQUAL;
 }
 
-enum { KEEP, FLIP, FLIP_EQUAL };
-
-/* FLIP if the edge of side h is not Delaunay; FLIP_EQUAL if either diagonal is and the other is
- * preferred. */
+/* Whether the edge of side h is not Delaunay; or, if either diagonal is, whether the other has the
+ * smaller keys.  The keys act as heights over the plane: flips go down to the lower hull, which is the
+ * same wherever they begin. */
 static int
-choose(const Intrinsic *t, const double *key, int h)
+is_to_flip(const Intrinsic *t, const double *key, int h)
 {
 	int g = t->twin[h], e = t->edge[h];
-	double a, A, b, B, sum, size, xk, xl, yk, yl;
+	double a, A, b, B, sum, size, xk, xl, yk, yl, y;
 
 	if (g < 0 || h/3 == g/3)
-		return KEEP;
+		return 0;
 	intrinsic_cotangent_parts(t, h, &a, &A);
 	intrinsic_cotangent_parts(t, g, &b, &B);
 	sum = a*B + b*A, size = fabs(a*B) + fabs(b*A) + A*B;
 	if (sum > COCIRCULAR*size || !(size > 0))
-		return KEEP;
+		return 0;
 	if (sum < -COCIRCULAR*size)
-		return FLIP;
+		return 1;
 	xk = intrinsic_foot(t, h, &yk), xl = t->length[e] - intrinsic_foot(t, g, &yl);
-	return is_worse(key, t->from[h], t->from[g], t->length[e], t->from[intrinsic_last(h)],
-	    t->from[intrinsic_last(g)], hypot(xk - xl, yk + yl)) ? FLIP_EQUAL : KEEP;
+	y = yk/(yk + yl);
+	return is_higher(key, t->from[h], t->from[g], (xk + y*(xl - xk))/t->length[e],
+	    t->from[intrinsic_last(h)], t->from[intrinsic_last(g)], y);
 }
 
 /* A stack of edges, each at most once. */
@@ -126,16 +123,15 @@ push(Stack *s, int e)
 static int
 flip_all(Intrinsic *t, const double *key, Stack *s)
 {
-	size_t flips = 0, ties = 0;
-	int h, g, choice;
+	size_t flips = 0;
+	int h, g;
 
 	while (s->n > 0 && flips < FLIPS*(size_t)t->nf + SOME) {
 		int e = s->edge[--s->n];
 
 		s->on[e] = 0;
 		h = t->side[e], g = t->twin[h];
-		choice = choose(t, key, h);
-		if (choice == KEEP || (choice == FLIP_EQUAL && ties++ > TIES*(size_t)t->nf))
+		if (!is_to_flip(t, key, h))
 			continue;
 		if (flip(t, h))
 			return INTRINSIC_ENOMEM;

@@ -10,11 +10,11 @@
 int  intrinsic_improve(Subdivision *s, const double *key);
 
 /* Flips edges until the triangulation is Delaunay: the two angles opposite to an inner edge sum to
- * at most pi.  Of four vertices on a circle either diagonal is Delaunay.  Then the shorter one is
- * taken, or of two equally long ones the one whose ends have the smaller sum of keys: so the result
- * does not depend on the numbering.
+ * at most pi.  Of four vertices on a circle either diagonal is Delaunay.  Then the one is taken on
+ * which the keys, continued linearly, are smaller where both cross: so the result does not depend on
+ * the numbering.
  *
- * key  in  [nv] or NULL
+ * key  in  [nv] in general position: not linear along the surface; or NULL
  *
  * Ends after 20 flips per triangle and 200000 more, should rounding prevent an end.
  * Returns 0 or INTRINSIC_ENOMEM. */

@@ -1,9 +1,12 @@
-/* vertexkey.c - weighted sums of distances to the corners. */
+/* vertexkey.c - sums of sines of distances to the corners. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "vertexkey.h"
 #include "../base/vec3.h"
 
+static const double WAVES = 1e4;        /* per 2 pi sqrt(area); rounding of places times this is still
+                                         * far below 1 */
 static const double EQUAL = 1e-6;       /* relative difference of two numbers that differ by
                                          * rounding only */
 
@@ -32,14 +35,14 @@ double *
 vertex_keys(const Mesh *m, const int vertex[4])
 {
 	static const double share[4] = { 1, 1.0103, 1.0237, 1.0391 };
-	double *key = malloc(m->nv*sizeof *key), x[3];
+	double *key = malloc(m->nv*sizeof *key), wave = WAVES/sqrt(mesh_area(m)), x[3];
 	int i, k, corner[4];
 
 	order_corners(m->xyz, vertex, corner);
 	for (i = 0; key && i < m->nv; i++)
 		for (key[i] = 0, k = 0; k < 4; k++) {
 			sub3(&m->xyz[3*(size_t)i], &m->xyz[3*(size_t)corner[k]], x);
-			key[i] += share[k]*norm3(x);
+			key[i] += share[k]*sin(wave*norm3(x));
 		}
 	return key;
 }
