@@ -100,7 +100,7 @@ charted_fit(Charted *s)
 
 	assert_non_null(state);
 	memset(state, GRADIENT_WANTED, s->m.nv);
-	assert_int_equal(stars_init(&stars, &s->m), 0);
+	assert_int_equal(stars_init(&stars, &s->m, s->u, s->v), 0);
 	gradient_fit(&stars, &s->m, s->u, s->v, state, s->jet);
 	for (s->low = s->limited = i = 0; i < s->m.nv; i++) {
 		assert_true(state[i] & GRADIENT_KNOWN);

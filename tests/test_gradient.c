@@ -104,7 +104,7 @@ small_meshes(void **state)
 		assert_true(distance3(s.jet[i].v, want[1]) < 1e-13);
 		assert_true(norm3(s.jet[i].uu) + norm3(s.jet[i].uv) + norm3(s.jet[i].vv) < 1e-13);
 	}
-	assert_int_equal(stars_init(&stars, &none), 0);
+	assert_int_equal(stars_init(&stars, &none, s.u, s.v), 0);
 	gradient_fit(&stars, &none, s.u, s.v, NULL, s.jet);
 	stars_free(&stars);
 	free(s.u), free(s.v), free(s.jet);

@@ -1,4 +1,5 @@
 /* gradient.c - neighbourhoods of the vertices, and the limits on the fitted derivatives. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,25 +13,91 @@ enum {
 	FAN    = 16     /* about the most triangles visited at a vertex: a hub of a million
 	                 * triangles must not cost each of its neighbours a million visits */
 };
+static const double WAVES = 100;        /* wave number of the keys across the rectangle */
+
+/* A number at each vertex that does not depend on how the vertices are numbered, nor on which of two
+ * opposite sides of the rectangle is called the left one, or the lower one. */
+static void
+chart_keys(int nv, const double *u, const double *v, double *key)
+{
+	double T = 0;
+	int i;
+
+	for (i = 0; i < nv; i++)
+		T = fmax(T, v[i]);
+	for (i = 0; i < nv; i++)
+		key[i] = sin(WAVES*fabs(u[i] - 0.5)) + sin(1.1*WAVES*fabs(v[i] - T/2));
+}
+
+typedef struct Spoke {
+	double key;
+	int    side;
+} Spoke;
+
+static int
+by_key(const void *a, const void *b)
+{
+	const Spoke *p = a, *q = b;
+
+	return p->key != q->key ? (p->key < q->key ? -1 : 1) : (p->side > q->side) - (p->side < q->side);
+}
+
+/* Sorts the n triangles at a vertex by the key of the vertex that follows it. */
+static void
+sort_star(const Mesh *m, const double *key, int n, int *side, Spoke *spoke)
+{
+	int k, l;
+	Spoke next;
+
+	for (k = 0; k < n; k++) {
+		next = (Spoke){ key[m->tri[topology_next(side[k])]], side[k] };
+		for (l = k; n <= FAN && l > 0 && by_key(&spoke[l-1], &next) > 0; l--)
+			spoke[l] = spoke[l-1];
+		spoke[l] = next;
+	}
+	if (n > FAN)
+		qsort(spoke, n, sizeof *spoke, by_key);
+	for (k = 0; k < n; k++)
+		side[k] = spoke[k].side;
+}
+
+/* Fills s->first and s->side.  Returns the largest number of triangles at a vertex. */
+static int
+fill(Stars *s, const Mesh *m)
+{
+	int i, k, most = 0;
+
+	for (k = 0; k < 3*m->nf; k++)
+		s->first[m->tri[k] + 2]++;
+	for (i = 0; i < m->nv; i++) {
+		most = s->first[i + 2] > most ? s->first[i + 2] : most;
+		s->first[i + 2] += s->first[i + 1];
+	}
+	for (k = 0; k < 3*m->nf; k++)
+		s->side[s->first[m->tri[k] + 1]++] = k;
+	return most;
+}
 
 int
-stars_init(Stars *s, const Mesh *m)
+stars_init(Stars *s, const Mesh *m, const double *u, const double *v)
 {
-	int i, k;
+	double *key = malloc(m->nv*sizeof *key + 1);
+	Spoke *spoke = NULL;
+	int i;
 
 	s->first = calloc((size_t)m->nv + 2, sizeof *s->first);
 	s->side = malloc((3*(size_t)m->nf + 1)*sizeof *s->side);
-	if (!s->first || !s->side) {
+	if (key && s->first && s->side)
+		spoke = malloc(fill(s, m)*sizeof *spoke + 1);
+	if (spoke) {
+		chart_keys(m->nv, u, v, key);
+		for (i = 0; i < m->nv; i++)
+			sort_star(m, key, s->first[i + 1] - s->first[i], &s->side[s->first[i]], spoke);
+	} else
 		stars_free(s);
-		return GRADIENT_ENOMEM;
-	}
-	for (k = 0; k < 3*m->nf; k++)
-		s->first[m->tri[k] + 2]++;
-	for (i = 0; i < m->nv; i++)
-		s->first[i + 2] += s->first[i + 1];
-	for (k = 0; k < 3*m->nf; k++)
-		s->side[s->first[m->tri[k] + 1]++] = k;
-	return 0;
+	free(key);
+	free(spoke);
+	return s->side ? 0 : GRADIENT_ENOMEM;
 }
 
 void

@@ -41,13 +41,13 @@ typedef struct Jet {
 } Jet;
 
 /* The triangles at vertex i: side[first[i]] .. side[first[i+1]-1], as 3*t + k where i is
- * corner k of t. */
+ * corner k of t.  Their order depends on (u,v), not on how vertices and triangles are numbered. */
 typedef struct Stars {
 	int *first, *side;
 } Stars;
 
 /* Returns 0, or GRADIENT_ENOMEM with nothing to free. */
-int  stars_init(Stars *s, const Mesh *m);
+int  stars_init(Stars *s, const Mesh *m, const double *u, const double *v);
 void stars_free(Stars *s);
 
 /* State of a vertex: a caller sets GRADIENT_WANTED; the fit replaces it by GRADIENT_KNOWN,

@@ -19,7 +19,7 @@ sampler_init(Sampler *s, const Disk *d, const double *u, const double *v, double
 		if (surface == SAMPLER_SMOOTH) {
 			s->jet = malloc(d->m.nv*sizeof *s->jet);
 			s->state = calloc(d->m.nv, 1);
-			e1 = !s->jet || !s->state || stars_init(&s->stars, &d->m);
+			e1 = !s->jet || !s->state || stars_init(&s->stars, &d->m, u, v);
 		}
 	}
 	if (!e && !e1)
