@@ -7,7 +7,7 @@
 #include "flips.h"
 
 enum { FLIPS = 20, SOME = 200000 };     /* flips at most: FLIPS per triangle and SOME */
-static const double COCIRCULAR = 1e-10; /* two cotangents count as opposite if their sum is this small,
+static const double COCIRCULAR = 1e-8; /* two cotangents count as opposite if their sum is this small,
                                          * relative to them or to 1: either diagonal is Delaunay */
 static const double EQUAL = 1e-9;       /* difference of equal keys */
 

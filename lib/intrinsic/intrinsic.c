@@ -6,7 +6,7 @@
 #include "../base/vec3.h"
 #include "intrinsic.h"
 
-static const double THIN = 1e-7;        /* least excess of two sides over the third, in units of the
+static const double THIN = 1e-10;        /* least excess of two sides over the third, in units of the
                                          * shortest */
 enum { PASSES = 100 };                  /* rounds of mollification, at most */
 static const double STEEPEST = 1e10;    /* largest cotangent: beside a larger one other weights would

@@ -19,6 +19,9 @@ static const struct { int metric; double worth; } STAGE[] = {
 };
 enum { STAGES = 2, PATIENCE = 3 };
 static const double UNDONE = 4e-3;
+static const double UNRESOLVED = 0.05;  /* mean after one round above which the cells are too large for
+                                         * the surface: rounds would follow the cells, not the surface,
+                                         * and make much of rounding.  The start is kept */
 static const double FOLDED = 2e-3;      /* mean above which the first stage ends after PATIENCE
                                          * rounds without gain, not one: from a start with folds
                                          * the mean may first rise */
@@ -250,6 +253,8 @@ iterate(const Sampler *sampler, State *best, State work[2], int rounds, double e
 		e = advance(sampler, STAGE[stage].metric, now, next, shift, mu);
 		if (e)
 			return e;
+		if (k == 0 && next->mean > UNRESOLVED)
+			break;
 		idle = next->mean < STAGE[stage].worth*best->mean ? 0 : idle + 1;
 		if (next->mean < best->mean) {
 			state_copy(next, best);

@@ -42,7 +42,7 @@ by_key(const void *a, const void *b)
 	return p->key != q->key ? (p->key < q->key ? -1 : 1) : (p->side > q->side) - (p->side < q->side);
 }
 
-/* Sorts the n triangles at a vertex by the key of the vertex that follows it. */
+/* Sorts the n triangles at a vertex by the keys of their two other vertices. */
 static void
 sort_star(const Mesh *m, const double *key, int n, int *side, Spoke *spoke)
 {
@@ -50,7 +50,8 @@ sort_star(const Mesh *m, const double *key, int n, int *side, Spoke *spoke)
 	Spoke next;
 
 	for (k = 0; k < n; k++) {
-		next = (Spoke){ key[m->tri[topology_next(side[k])]], side[k] };
+		next = (Spoke){ 0, side[k] };
+		next.key = key[m->tri[topology_next(side[k])]] + key[m->tri[topology_next(topology_next(side[k]))]];
 		for (l = k; n <= FAN && l > 0 && by_key(&spoke[l-1], &next) > 0; l--)
 			spoke[l] = spoke[l-1];
 		spoke[l] = next;

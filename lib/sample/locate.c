@@ -119,8 +119,13 @@ find_corners(Locator *l)
 int
 locate(const Locator *l, double x, double y, double bary[3])
 {
-	int t = l->start[place(y, l->T, l->ny)*l->nx + place(x, 1, l->nx)], k;
-	int corner = corner_at(l, x, y);
+	return locate_from(l, l->start[place(y, l->T, l->ny)*l->nx + place(x, 1, l->nx)], x, y, bary);
+}
+
+int
+locate_from(const Locator *l, int from, double x, double y, double bary[3])
+{
+	int t, k, corner = corner_at(l, x, y);
 	double sum = 0;
 
 	if (corner >= 0 && l->corner[corner] >= 0) {
@@ -128,7 +133,7 @@ locate(const Locator *l, double x, double y, double bary[3])
 			bary[k] = k == l->corner[corner]%3;
 		return l->corner[corner]/3;
 	}
-	t = walk(l, t, x, y, bary);
+	t = walk(l, from, x, y, bary);
 	t = search(l, t, x, y, bary);
 	for (k = 0; k < 3; k++)
 		sum += bary[k] = fmax(bary[k], 0);

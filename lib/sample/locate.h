@@ -27,4 +27,8 @@ void locator_free(Locator *l);
  * others may be as near to it as rounding allows.  May be called from several threads. */
 int  locate(const Locator *l, double x, double y, double bary[3]);
 
+/* locate by a walk from triangle `from`: where triangles are turned over and several contain the
+ * point, the first one on the way. */
+int  locate_from(const Locator *l, int from, double x, double y, double bary[3]);
+
 #endif

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "overlayface.h"
 #include "sampler.h"
 
 int
@@ -34,7 +35,9 @@ sampler_free(Sampler *s)
 	locator_free(&s->l);
 	locator_free(&s->under);
 	free(s->smooth);
+	free(s->face);
 	s->smooth = NULL;
+	s->face = NULL;
 	stars_free(&s->stars);
 	free(s->jet);
 	free(s->state);
@@ -66,7 +69,9 @@ sampler_overlay(Sampler *s, const Subdivision *o, const double *u, const double 
 	double *smooth = malloc(s->l.m->nv*sizeof *smooth);
 
 	s->smooth = malloc(o->d.m.nv*sizeof *s->smooth);
-	if (!smooth || !s->smooth || locator_init(&s->under, &o->d, u, v, s->l.T)) {
+	s->face = malloc(o->d.m.nf*sizeof *s->face);
+	if (!smooth || !s->smooth || !s->face || overlay_faces(s->l.m, &s->stars, o, s->face)
+	    || locator_init(&s->under, &o->d, u, v, s->l.T)) {
 		free(smooth);
 		return SAMPLER_ENOMEM;
 	}
@@ -108,7 +113,10 @@ find_place(const Sampler *s, double x, double y)
 		if (p.smooth == 0)
 			return p;
 	}
-	p.t = locate(&s->l, x, y, w);
+	if (s->overlay && s->face[p.f] >= 0)
+		p.t = locate_from(&s->l, s->face[p.f], x, y, w);
+	else
+		p.t = locate(&s->l, x, y, w);
 	p.w[0] = w[1], p.w[1] = w[2];
 	if (s->overlay)
 		p.smooth = fmin(p.smooth, linear(s->l.m, p.t, p.w, s->smooth, 1));

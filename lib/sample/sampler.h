@@ -22,6 +22,7 @@ typedef struct Sampler {
 	unsigned char *state;   /* [nv] 0, or a state of gradient.h */
 	const Subdivision *overlay;     /* of sampler_overlay, or NULL; the rest is for it */
 	Locator under;
+	int    *face;           /* [overlay->d.m.nf] the triangle of the mesh that each of the overlay lies in */
 	double *smooth;         /* [overlay->d.m.nv] 1 where the smooth surface is used, 0 where the facets
 	                         * are, linear between vertices; its first numbers are those of
 	                         * the vertices of l.m */
