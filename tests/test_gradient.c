@@ -319,6 +319,44 @@ same_for_any_number_of_threads(void **state)
 #endif
 }
 
+/* Of a hub's many triangles only some are visited.  Which ones depends on the chart alone. */
+static void
+hub_does_not_depend_on_numbering(void **state)
+{
+	enum { N = 40, NF = N - 1 };
+	double xyz[3*(N + 1)], u[N + 1], v[N + 1];
+	int tri[3*NF], other[3*NF], i, c;
+	unsigned char wanted[N + 1];
+	Jet jet[2][N + 1];
+	Stars stars;
+	int k;
+
+	(void)state;
+	for (i = 0; i <= N; i++) {
+		double r = i == N ? 0 : 1 + 0.3*sin(7.0*i), a = 5.0*i/N;
+
+		xyz[3*i] = r*cos(a), xyz[3*i+1] = r*sin(a), xyz[3*i+2] = 0.2*cos(3.0*i);
+		u[i] = 0.5 + 0.3*xyz[3*i], v[i] = 0.5 + 0.3*xyz[3*i+1] + 0.01*i/N;
+	}
+	for (i = 0; i < NF; i++) {
+		memcpy(&tri[3*i], (int[]){ i, i + 1, N }, 3*sizeof *tri);
+		memcpy(&other[3*(NF - 1 - i)], (int[]){ i + 1, N, i }, 3*sizeof *tri);
+	}
+	for (k = 0; k < 2; k++) {
+		Mesh m = { N + 1, NF, xyz, k ? other : tri };
+
+		memset(wanted, GRADIENT_WANTED, sizeof wanted);
+		assert_int_equal(stars_init(&stars, &m, u, v), 0);
+		gradient_fit(&stars, &m, u, v, wanted, jet[k]);
+		stars_free(&stars);
+	}
+	for (i = 0; i <= N; i++)
+		for (c = 0; c < 3; c++) {
+			assert_true(fabs(jet[0][i].u[c] - jet[1][i].u[c]) < 1e-10);
+			assert_true(fabs(jet[0][i].vv[c] - jet[1][i].vv[c]) < 1e-8);
+		}
+}
+
 int
 main(void)
 {
@@ -333,6 +371,7 @@ main(void)
 		cmocka_unit_test(follows_motion_and_scale),
 		cmocka_unit_test(vertex_of_many_triangles),
 		cmocka_unit_test(same_for_any_number_of_threads),
+		cmocka_unit_test(hub_does_not_depend_on_numbering),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -27,7 +27,8 @@ void grid_free(Grid *a);
 /* Polishes in at most `rounds` rounds.  It stops earlier if rounds gain nothing more, or if
  * the mean modulus of the Beltrami coefficient over the inner nodes is at most `enough`.  The
  * round with the smallest mean is kept.  If the mean stays above 4e-3 (surfaces that turn much
- * within a cell), rounds with the cell metric are followed by rounds with the node metric.
+ * within a cell), rounds with the cell metric are followed by rounds with the node metric.  If it is
+ * above .05 after one round, the grid has too few cells for the surface, and stays as it is.
  *
  * a        in/out
  * pu, pv   in/out  [n] points that move with the grid, in the chart of a; n may be 0

@@ -39,8 +39,12 @@ SurfacePoint subdivision_on_side(int side, double place);
  * Returns the number of new vertices, or MESH_ENOMEM; s is then only to be freed. */
 int  subdivision_add(Subdivision *s, int n, const SurfacePoint *point);
 
-/* Splits faces as refine_split does, ties told apart by key (or NULL).  before: out, the disk as it was, to be freed; or NULL.  inner is
- * not kept.  Returns 0 or MESH_ENOMEM; s is then only to be freed. */
+/* Splits faces as refine_split does; inner is not kept.
+ *
+ * marked, key  in   as there
+ * before       out  the disk as it was, to be freed; or NULL
+ *
+ * Returns 0 or MESH_ENOMEM; s is then only to be freed. */
 int  subdivision_refine(Subdivision *s, const unsigned char *marked, const double *key, Disk *before);
 
 /* Numbers given at the vertices of the given disk, continued linearly to all vertices.
