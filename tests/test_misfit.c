@@ -90,6 +90,28 @@ energy_is_zero_at_the_surface(void **state)
 	misfit_free(&m);
 }
 
+/* With residues the area element is known, so that each residual is a polynomial of degree 3 in phi, and E
+ * one of degree 6: its seventh differences are 0, also across a surface without normals. */
+static void
+energy_with_residues_is_a_polynomial(void **state)
+{
+	static const int binomial[8] = { 1, -7, 21, -35, 35, -21, 7, -1 };
+	double sum = 0, most = 0, E;
+	Misfit m;
+	int k;
+
+	(void)state;
+	surface_of_size(1);
+	m = misfit_of(&residue);
+	for (k = 0; k < 8; k++) {
+		E = energy_at(&m, (k - 4)/4.0, phi);            /* 0 times phi, .., 1.75 times */
+		sum += binomial[k]*E;
+		most = fmax(most, fabs(binomial[k]*E));
+	}
+	assert_true(most > 1 && fabs(sum) < 1e-10*most);
+	misfit_free(&m);
+}
+
 static void
 gradient_is_the_derivative(void **state)
 {
@@ -317,6 +339,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(energy_is_zero_at_the_surface),
+		cmocka_unit_test(energy_with_residues_is_a_polynomial),
 		cmocka_unit_test(gradient_is_the_derivative),
 		cmocka_unit_test(normal_matrix_is_that_of_the_gradient),
 		cmocka_unit_test(gradient_beyond_joined_sides),

@@ -20,7 +20,9 @@
  * lambda < 0.01 <lambda^2>^(1/2), and |H| is clipped so that lambda |H| times a step is <= 2.
  *
  * Where the surface folds over, n is smoothed: once |phi_u x phi_v| is below a thousandth of lambda^2,
- * n goes to 0 with it.  (Not with a residue: the surface it comes from has no folds.)
+ * n goes to 0 with it.  With a residue the area element is known:
+ * n = phi_u x phi_v/(lambda^2 a), a = (1 - nu1^2 - nu2^2)^(1/2), and the first line is multiplied by a^2, so
+ * that its residual is a polynomial and no normal is singular.
  *
  * Where the boundary is free, border nodes add the last two lines too, with w/10 and
  * differences that are one-sided across the border, of second order like those inside.

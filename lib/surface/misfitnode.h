@@ -28,7 +28,8 @@ misfit_strips(Chart g)
 typedef struct Local {
 	Nodes u[3], v[3];       /* phi_u, phi_v */
 	Nodes L[3];             /* Delta phi */
-	Nodes n[3], area;       /* normal and |phi_u x phi_v|, smoothed */
+	Nodes n[3], area;       /* normal and area element, misfit.h */
+	Nodes along;            /* <Delta phi, n>; 0 where the area element is known */
 } Local;
 
 INLINE void
@@ -37,6 +38,20 @@ cross_nodes(const Nodes a[3], const Nodes b[3], Nodes c[3])
 	c[0] = a[1]*b[2] - a[2]*b[1];
 	c[1] = a[2]*b[0] - a[0]*b[2];
 	c[2] = a[0]*b[1] - a[1]*b[0];
+}
+
+/* (|phi_u x phi_v|/lambda^2)^2 of the surface that the residue comes from, at least 1e-12. */
+INLINE void
+known_area2(const Residue *r, const Quad *q, Nodes *a)
+{
+	Nodes x, y;
+	int c;
+
+	quad_load(q, r->nu[0], &x);
+	quad_load(q, r->nu[1], &y);
+	*a = 1 - x*x - y*y;
+	for (c = 0; c < NODES; c++)
+		(*a)[c] = (*a)[c] > 1e-12 ? (*a)[c] : 1e-12;
 }
 
 INLINE void
@@ -48,23 +63,34 @@ local(const Misfit *m, const double *phi, const Quad *q, Local *a)
 	quad_differences(q, phi, a->u, a->v, a->L);
 	cross_nodes(a->u, a->v, a->n);
 	quad_load(q, m->lambda2, &l2);
-	a->area = DOT(a->n, a->n) + m->blur*l2*l2;
+	if (m->residue) {
+		known_area2(m->residue, q, &a->area);
+		a->area *= l2*l2;
+	} else
+		a->area = DOT(a->n, a->n) + m->blur*l2*l2;
 	for (c = 0; c < NODES; c++)
 		a->area[c] = sqrt(a->area[c]) + 1e-300;
 	for (c = 0; c < 3; c++)
 		a->n[c] /= a->area;
+	a->along = DOT(a->L, a->n);
+	if (m->residue)
+		a->along *= 0;
 }
 
 /* The weights of the squared residuals. */
 INLINE void
 weights(const Misfit *m, const Quad *q, Nodes w[MISFIT_PARTS])
 {
-	Nodes o, l2, metric;
+	Nodes o, l2, metric, area2;
 
 	quad_load(q, m->o, &o);
 	quad_load(q, m->lambda2, &l2);
 	metric = m->scale/l2*o;
 	w[0] = m->scale*o*o;
+	if (m->residue) {
+		known_area2(m->residue, q, &area2);
+		w[0] *= area2;
+	}
 	w[1] = w[2] = m->alpha*m->alpha*metric*o;
 	w[3] = m->w*m->w*metric;
 	w[4] = w[5] = w[3]*o;
@@ -92,11 +118,12 @@ residuals(const Misfit *m, const Local *a, const Quad *q, Nodes r[MISFIT_PARTS])
 	}
 }
 
-/* dr for a displacement d.  With c = phi_u x phi_v:  dn = (dc - <dc, n> n)/|c|. */
+/* dr for a displacement d.  With c = phi_u x phi_v:  dn = (dc - <dc, n> n)/|c|, or
+ * dc over the area element if that is known. */
 INLINE void
 change(const Local *a, const double *d, const Quad *q, Nodes r[MISFIT_PARTS])
 {
-	Nodes du[3], dv[3], dL[3], x[3], y[3], across[3], along = DOT(a->L, a->n);
+	Nodes du[3], dv[3], dL[3], x[3], y[3], across[3];
 	int c;
 
 	quad_differences(q, d, du, dv, dL);
@@ -104,7 +131,7 @@ change(const Local *a, const double *d, const Quad *q, Nodes r[MISFIT_PARTS])
 	cross_nodes(a->u, dv, y);
 	for (c = 0; c < 3; c++) {
 		x[c] += y[c];
-		across[c] = a->L[c] - along*a->n[c];
+		across[c] = a->L[c] - a->along*a->n[c];
 	}
 	r[0] = DOT(dL, a->n) + DOT(across, x)/a->area;
 	r[1] = DOT(dL, a->u) + DOT(a->L, du);
@@ -119,11 +146,11 @@ INLINE void
 change_adjoint(const Local *a, const Nodes r[MISFIT_PARTS], Nodes f[9])
 {
 	Nodes uu = r[3] + r[4], vv = r[3] - r[4];
-	Nodes x[3], y[3], across[3], along = DOT(a->L, a->n), normal = r[0]/a->area;
+	Nodes x[3], y[3], across[3], normal = r[0]/a->area;
 	int c;
 
 	for (c = 0; c < 3; c++)
-		across[c] = (a->L[c] - along*a->n[c])*normal;
+		across[c] = (a->L[c] - a->along*a->n[c])*normal;
 	cross_nodes(a->v, across, x);
 	cross_nodes(across, a->u, y);
 	for (c = 0; c < 3; c++) {
