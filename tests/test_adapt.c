@@ -76,7 +76,7 @@ least_angle(const Mesh *m)
 	return least;
 }
 
-/* Similar faces keep their least angle. */
+/* Splitting all faces into four similar ones keeps the least angle of the mesh. */
 static void
 split_similar_keeps_angles(void **state)
 {

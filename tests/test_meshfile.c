@@ -398,7 +398,7 @@ round_trip(void **state)
 	mesh_free(&m);
 }
 
-/* STL text with a quad, which STL does not allow. */
+/* A quad cannot be written as STL, which has triangles only. */
 static void
 stl_holds_triangles(void **state)
 {
@@ -924,8 +924,8 @@ polygons(int n)
 	return s;
 }
 
-/* Soups are read back bit by bit, quads as quads; OFF and soups without (u,v) have none; writing
- * them again gives the same file. */
+/* In the formats with shared vertices soups are read back bit for bit, quads as quads, with (u,v) if
+ * it was written; OFF never has it.  Writing what was read gives the same file. */
 static void
 soup_round_trip(void **state)
 {

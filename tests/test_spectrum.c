@@ -41,8 +41,8 @@ inverse_undoes_forward(void **state)
 	}
 }
 
-/* <F f, F h> = n <f, h>, where a coefficient that stands for a conjugate pair counts twice;
- * and C_00 is the sum.  Odd and even sizes: the last column of the dft differs. */
+/* <F f, F h> = N <f, h>, where a coefficient that stands for a conjugate pair counts twice; and C_00
+ * is the sum of f.  The last column of the dft counts once if nu is even, twice if it is odd. */
 static void
 parseval(void **state)
 {

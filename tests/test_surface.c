@@ -261,7 +261,8 @@ free_surface_moves_with_its_band_or_start(void **state)
 	int k;
 
 	(void)state;
-	for (k = 0; k < 3; k++) {               /* the start, the band; adrift */
+	for (k = 0; k < 3; k++) {               /* what is turned: the start; the band; the
+	                                         * start, without a band */
 		s = given(torus, ROUGH);
 		if (k != 1)
 			reconstruct_free(&s, k < 2);

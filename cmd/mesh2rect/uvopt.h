@@ -5,7 +5,7 @@
 #include "../../lib/base/chart.h"
 #include "../../lib/mesh/disk.h"
 
-/* Exit 2 if the name of FILE does not end like those of a format with (u,v), or if FILE is also
+/* Exit 2 if the name FILE does not have the ending of a format with (u,v), or if FILE is also
  * the output or the operand mesh.  To be called after all options. */
 void opt_uv(const char *file, const char *mesh);
 

@@ -6,8 +6,8 @@
 
 #include "intrinsic.h"
 
-/* The places of all crossings.  Those of edge e are number first[e] .. first[e+1]-1, from its
- * start. */
+/* The places of all crossings.  Those on edge e of the triangulation have the numbers
+ * first[e] .. first[e+1]-1, from its start. */
 typedef struct Places {
 	size_t *first;          /* [ne+1] */
 	double *on_mesh;        /* 0..1 from the start of the mesh edge, as its mesh_side has it */

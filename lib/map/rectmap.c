@@ -145,7 +145,7 @@ rectmap(const Disk *d, const Disk *coarse, const int corner[4], double *u, doubl
 	return 0;
 }
 
-/* Twice the (u,v) area of triangle t. */
+/* Twice the signed (u,v) area of triangle t. */
 static double
 image(const Mesh *m, int t, const double *u, const double *v)
 {

@@ -115,7 +115,8 @@ leave_out(Splitting *w, int f, int e, const char *reason)
 	return w->some ? 0 : e;
 }
 
-/* Counts the triangles after splitting, and the corners of the largest face. */
+/* Checks the corners of all faces.  Counts the triangles that the faces will give; most: out, the
+ * largest number of corners of a face, at least 4.  Returns 0 or the error. */
 static int
 count_triangles(Splitting *w, int *mark, size_t *ntri, int *most)
 {

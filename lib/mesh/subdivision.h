@@ -29,12 +29,12 @@ void subdivision_free(Subdivision *s);
  * k to the next. */
 SurfacePoint subdivision_on_side(int side, double place);
 
-/* Adds the points to s as vertices, one after the other.  At a point within a triangle, the
- * triangle is split into three; at a point on an edge, its two triangles are split into two.  The
- * new triangles may be arbitrarily thin.  Equal points of a side, and points at a vertex, are
- * dropped.
+/* Adds the points to s as vertices: first those within triangles, then those on edges.  A point
+ * within a triangle splits it into three; a point on an edge splits each triangle at that edge into
+ * two.  The new triangles may be arbitrarily thin.  Of equal points on an edge one is added; points
+ * at a vertex are not.
  *
- * n, point  in   of s->d
+ * n, point  in   points of s->d
  *
  * Returns the number of new vertices, or MESH_ENOMEM; s is then only to be freed. */
 int  subdivision_add(Subdivision *s, int n, const SurfacePoint *point);

@@ -16,8 +16,8 @@ enum {
 typedef struct Outline {
 	int     n;
 	double *x;              /* [n][3] */
-	double *place;          /* [n+1] place[k]: where on the outline the point at k/n of the length
-	                         * of the curve is, as a share of the outline's length */
+	double *place;          /* [n+1] place[k]: the place on the outline of the point at place k/n
+	                         * on the curve; places are shares of the length of each */
 } Outline;
 
 /* The outline, of n points, of the closed polygon x[m][3], with the same starting point.

@@ -57,7 +57,7 @@ product_256(int columns, int n, const double *a, const double *b, double *c)
 	tile_256(2, 4, columns, n, rows, b, to);
 }
 
-/* For thirty-two registers. */
+/* For thirty-two registers: eight or sixteen sums at a time. */
 TARGET("avx512f") static void
 product_512(int blocks, int columns, int n, const double *const a[], const double *b,
 	double *const c[])

@@ -10,9 +10,9 @@
 
 static const double TENSION = 3;        /* of the plate, over w^2; 3 takes the fewest steps */
 enum { MOST_CG = 60 };
-/* With a free boundary surfaces bend easily and far.  CG gets few steps until a Gauss-Newton step
- * was short and E fell as predicted: more would be spent on bending that the next step undoes.
- * After that it gets as many as it needs. */
+/* With a free boundary surfaces bend easily and far.  CG gets few steps, as more
+ * would be spent on bending that the next Gauss-Newton step undoes.  It gets many if the last step
+ * was short, was not cut, and lowered E as predicted. */
 enum { MOST_CG_FREE = 20, MOST_CG_NEAR = 400 };
 static const double WORTH_NEAR = 1e-6;
 static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a Gauss-Newton step */
