@@ -12,7 +12,7 @@
 static double
 rms_H(int n, int cells)
 {
-	const ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12 };
+	const ConformalOptions options = { .map = { 1e-3, 1, 300000 }, .surface = SAMPLER_SMOOTH, .polish = 12 };
 	Chart g = { cells + 1, cells + 1, 1, &CHART_RECTANGLE };
 	size_t nodes = (size_t)g.nu*g.nv, p;
 	double *lambda = malloc(nodes*sizeof *lambda), *H = malloc(nodes*sizeof *H), sum = 0;

@@ -106,7 +106,7 @@ enum { NU = 17, NODES = NU*NU };
 static void
 grid_of(const Disk *d, const int vertex[4], int surface, int polish, Conformal *c)
 {
-	const ConformalOptions options = { { 1e-2, 1, 300000 }, surface, polish };
+	const ConformalOptions options = { .map = { 1e-2, 1, 300000 }, .surface = surface, .polish = polish };
 	Chart g = { NU, NU, 1, &CHART_RECTANGLE };
 	int corner[4], at;
 	SpdReport report;

@@ -100,7 +100,7 @@ static int
 mapped(int way)
 {
 	static const ConformalOptions options[2] = {
-		{ { 1, 0, 1000 }, SAMPLER_FACETS, 0 }, { { 1e-3, 1, 1000 }, SAMPLER_SMOOTH, 1 }
+		{ .map = { 1, 0, 1000 }, .surface = SAMPLER_FACETS, .polish = 0 }, { .map = { 1e-3, 1, 1000 }, .surface = SAMPLER_SMOOTH, .polish = 1 }
 	};
 	SpdReport report;
 	Conformal c;
