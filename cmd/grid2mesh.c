@@ -38,8 +38,8 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
-/* Splits "frame-%03d.off" into the parts before and after the number, and its width.  Returns 0 if the
- * name has no number. */
+/* Splits "frame-%03d.off" into the parts before and after the number, and its width.  Returns 0 if
+ * the name has no number. */
 static int
 numbered(const char *name, size_t *before, int *width, const char **after)
 {

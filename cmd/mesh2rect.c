@@ -68,7 +68,7 @@ CMD_USAGE
 enum { FLIP = 256, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, LIKE, REVERSED, MAX_CELLS,
 	UV = CMD_UNRECORDED, MAX_LOSS };
 
-static const double KEEP = 0.99;        /* share of the area, of -n auto */
+static const double KEEP = 0.99;        /* fraction of the area, for -n auto */
 
 static const struct option longopt[] = {
 	{ "cells",        required_argument, NULL, 'n' },
@@ -106,13 +106,13 @@ opt_cells(char *s, Chart *g, double *keep)
 	free(first);
 }
 
-/* Bytes of memory, above all measured numbers: for each vertex of the map; of these, what is kept
- * while the grid is made; for each crossing of the overlay; for each node, and if the grid is
- * polished. */
+/* Memory in bytes, a little more than was measured: for each vertex of the map, and the part of it
+ * that is kept while the grid is made; for each crossing of the overlay; for each node of the grid,
+ * without and with polishing. */
 enum { PER_VERTEX = 1500, KEPT = 500, PER_CROSSING = 250, PER_NODE = 8*13, PER_POLISHED = 8*46 };
 
-/* Dies if memory is too small for the mesh and the grid, and notes if it may be too small for what
- * refinement adds, which is not known before. */
+/* Dies if memory is too small for the mesh and the grid.  Prints a note if it may be too small for
+ * the vertices that refinement adds, whose number is not known in advance. */
 static void
 claim_map(const char *name, const Disk *d, Chart g, const ConformalOptions *o)
 {

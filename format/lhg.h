@@ -19,10 +19,10 @@
 enum {
 	LHG_EIO    = -1,        /* read or write failed; errno says why */
 	LHG_ENOMEM = -2,
-	LHG_EMAGIC = -3,        /* input is empty, of another version, or its line ends were changed */
+	LHG_EMAGIC = -3,        /* input empty, of another version, or line ends changed */
 	LHG_EHEAD  = -4,        /* header malformed, or its CRC is wrong */
 	LHG_ESHORT = -5,        /* input ends inside a grid, or before the last frame */
-	LHG_EDATA  = -6,        /* a channel's CRC, its padding, the end mark or what follows is wrong */
+	LHG_EDATA  = -6,        /* wrong CRC or padding of a channel, end mark, or what follows */
 	LHG_EVALUE = -7,        /* a sample is NaN or infinite */
 	LHG_ELIMIT = -8,        /* a size, count, name or text outside the limits of LHG.md */
 	LHG_EFOREIGN = -10,     /* input is not .lhg at all */
@@ -67,9 +67,9 @@ typedef struct Lhg {
 /* One direction of one stream.  Set up by lhg_open, read the fields only. */
 typedef struct LhgStream {
 	FILE     *f;
-	int       frame, frames;        /* of the last grid that passed; 0 0 before */
-	uint32_t  crc;                  /* of the last grid that passed; see LHG.md, frame */
-	long      grids;                /* that have passed */
+	int       frame, frames;        /* of the last grid read or written; 0 0 before the first */
+	uint32_t  crc;                  /* of the last grid read or written; see LHG.md, frame */
+	long      grids;                /* read or written so far */
 	int       ahead;                /* line 1 of the next header is read or written already */
 	char      err[256];
 } LhgStream;
@@ -87,8 +87,9 @@ size_t lhg_count(int nu, int nv, int support, int step);
 /* The channel of that name, or NULL. */
 LhgChannel *lhg_find(const Lhg *g, const char *name);
 
-/* Append a channel of zeros.  Returns its samples, or NULL: no memory, no room
- * (LHG_MAXCHAN), or name, unit or step not as LHG.md allows, or name taken. */
+/* Append a channel of zeros.  Returns its samples; or NULL if there is no memory, there are
+ * LHG_MAXCHAN channels already, LHG.md does not allow the name, unit or step, or the name is
+ * taken. */
 double *lhg_add(Lhg *g, const char *name, const char *unit, int support, int step);
 
 /* Remove the channel of that name, if there is one. */
@@ -109,23 +110,24 @@ void lhg_scatter(const Lhg *g, const LhgChannel *c, double *f);
  * either end); then nothing has changed. */
 int lhg_setmeta(Lhg *g, const char *key, const char *value);
 
-/* The value of key, as long as it fits in n bytes (it is cut if not), or NULL. */
+/* Copy the value of key to value[n], cut if it is too long.  Returns value, or NULL if there is no
+ * such key. */
 const char *lhg_getmeta(const Lhg *g, const char *key, char *value, size_t n);
 
 /* Append one step to the history.  Every byte that is a control character or not
- * UTF-8 becomes '?', spaces at the ends go, a line longer than LHG.md allows is cut and
+ * UTF-8 becomes '?', spaces at both ends are removed, a line longer than LHG.md allows is cut and
  * ends in "...", an empty one becomes "?".  Returns 0 or LHG_ENOMEM. */
 int lhg_note(Lhg *g, const char *step);
 
-/* The length of the character that the n > 0 bytes at p begin with, 0 if it is a control character or
- * not UTF-8: one that LHG.md allows in metadata and history. */
+/* The length of the character that the n > 0 bytes at p begin with, 0 if it is a control character
+ * or not UTF-8: one that LHG.md allows in metadata and history. */
 size_t lhg_utf8(const char *p, size_t n);
 
-/* Read from or write to f, which stays the caller's. */
+/* Start a stream that reads from or writes to f.  The caller closes f. */
 void lhg_open(LhgStream *s, FILE *f);
 
-/* Read from f, whose first bytes, LHG_MAGIC, are taken already: for those who must see
- * whether it is a stream of grids at all. */
+/* Read from f, whose first bytes, LHG_MAGIC, have been read already: for callers that must first
+ * see whether f is a stream of grids at all. */
 #define LHG_MAGIC "lhg 1\n"
 void lhg_open_behind_magic(LhgStream *s, FILE *f);
 
@@ -144,9 +146,9 @@ int lhg_read(LhgStream *s, Lhg *g);
  * negative code; after LHG_EIO the stream is to be given up. */
 int lhg_write(LhgStream *s, const Lhg *g);
 
-/* Between two sets: write line 1 of the header of the next grid now, which lhg_write then leaves out.
- * A writer that fails, or is killed, before that grid is complete has not written a stream that looks
- * complete.  Returns 0 or LHG_EIO. */
+/* Between two sets: write line 1 of the header of the next grid now, which lhg_write then leaves
+ * out.  A writer that fails, or is killed, before that grid is complete has not written a stream
+ * that looks complete.  Returns 0 or LHG_EIO. */
 int lhg_begin_next(LhgStream *s);
 
 #endif

@@ -78,7 +78,8 @@ lhg_puthead(char *h, const Lhg *g, uint32_t prev)
 
 /* ---- parse ----------------------------------------------------------- */
 
-/* Each parses the item of its name at *p and sets *p behind it; returns 0 if it is not there. */
+/* Each function parses the item in its name at *p, and moves *p behind it.  It returns 0 if the
+ * item is not there. */
 static int
 word(const char **p, const char *w)
 {
@@ -115,7 +116,8 @@ hex(const char **p, uint32_t *x)
 	return 1;
 }
 
-/* A word too long for its place loses its tail, and is found out by its length. */
+/* A word up to the next space or LF.  Returns 0 if it is empty or too long for `to`, where it is
+ * cut. */
 static int
 name(const char **p, char to[LHG_NAMELEN])
 {

@@ -24,7 +24,8 @@ lhg_open_behind_magic(LhgStream *s, FILE *f)
 	s->ahead = 1;
 }
 
-/* The frame that is due, else the one that is under way, else the number of the grid. */
+/* Writes to `to` where an error is: the frame that is due, else the frame under way, else the
+ * number of the grid. */
 static size_t
 place(const LhgStream *s, const Lhg *g, char *to, size_t n)
 {

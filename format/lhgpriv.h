@@ -1,4 +1,4 @@
-/* lhgpriv.h - between the files of format/; not for callers. */
+/* lhgpriv.h - declarations shared by the files of format/; not for callers. */
 #ifndef LHGPRIV_H
 #define LHGPRIV_H
 
@@ -24,13 +24,14 @@ int lhg_fail(LhgStream *s, const Lhg *g, int code, const char *fmt, ...);
 /* The same with LHG_EIO and the reason in errno; what is "read" or "write". */
 int lhg_failio(LhgStream *s, const Lhg *g, const char *what);
 
-/* Checks that frame and frames of g may follow the grid before, section 5.  Returns 0 or LHG_EORDER. */
+/* Checks that frame and frames of g may follow the grid before, section 5.  Returns 0 or
+ * LHG_EORDER. */
 int lhg_checkorder(LhgStream *s, const Lhg *g);
 
 /* The CRC that line 4 of the next header repeats. */
 uint32_t lhg_lastcrc(const LhgStream *s);
 
-/* g has passed, its last CRC is crc. */
+/* Records that g was read or written completely; its last CRC is crc. */
 void lhg_passed(LhgStream *s, const Lhg *g, uint32_t crc);
 
 /* ---- lhgspell.c ---- */

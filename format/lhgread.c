@@ -7,11 +7,11 @@
 
 #include "lhgpriv.h"
 
-enum { FIRST = 131072 };        /* samples to make room for before any is there, 1 MiB */
+enum { FIRST = 131072 };        /* samples allocated before any has been read, 1 MiB */
 
 static const char MAGIC[] = LHG_MAGIC;
 
-/* As many of n bytes as there are; a signal does not count as an error. */
+/* Reads n bytes, or fewer if the input ends.  Interruption by a signal is not an error. */
 static size_t
 take(FILE *f, void *to, size_t n)
 {
@@ -139,7 +139,7 @@ grow(LhgChannel *c, size_t *room)
 	return 0;
 }
 
-/* The samples of c, and in *good how many come before the first that is not finite. */
+/* Reads the samples of c; *good is how many come before the first that is not finite. */
 static int
 readsamples(LhgStream *s, const Lhg *g, LhgChannel *c, uint32_t *crc, size_t *good)
 {

@@ -16,11 +16,11 @@ typedef struct Charted {
 	Mesh           m;
 	double        *u, *v;
 	Jet           *jet;
-	int            low, limited;    /* with vertices in these states (gradient.h) */
+	int            low, limited;    /* how many vertices have this state (gradient.h) */
 	Clough         c;
 } Charted;
 
-/* phi and its exact derivatives. */
+/* A surface: computes phi(u,v) and its exact derivatives. */
 typedef void Surface(double u, double v, double phi[3], Jet *jet);
 
 static inline double
@@ -46,7 +46,8 @@ charted_of(Mesh m, const double *uv)
 	return s;
 }
 
-/* [0,1.5] x [0,1] with about n vertices: evenly spread, or random (with slivers). */
+/* The rectangle [0,1.5] x [0,1], triangulated with about n evenly spread vertices.  The positions
+ * in space are not set: see charted_place. */
 static inline Charted
 charted_even(int n)
 {
@@ -143,7 +144,8 @@ charted_longest(const Mesh *m, int t)
 
 #define CHARTED_SIZE 1000
 
-/* x rotated by 1 radian about (1,2,2)/3 and enlarged; a position is also moved. */
+/* Rotates x by 1 radian about (1,2,2)/3 and multiplies it by CHARTED_SIZE.  A position (place = 1)
+ * is also translated; a derivative (place = 0) is not. */
 static inline void
 charted_move(double x[3], int place)
 {
@@ -156,7 +158,7 @@ charted_move(double x[3], int place)
 		x[c] = CHARTED_SIZE*(cos(1)*x[c] + sin(1)*ax[c] + d*a[c]) + 4*place;
 }
 
-/* A graph over the plane, a cubic without any symmetry. */
+/* A surface whose coordinates are cubic polynomials of u and v, without any symmetry. */
 static inline void
 cubic(double u, double v, double phi[3], Jet *j)
 {
@@ -179,8 +181,8 @@ wavy(double u, double v, double phi[3], Jet *j)
 		{ -3*s/5, -2*e, -c }, { -s/5, 4*e, -c/3 } };
 }
 
-/* Degenerate input: triangles flat, flipped, tiny or collapsed to a point in (u,v); positions are
- * noise of sizes from 1e-4 to 1. */
+/* Degenerate input: in (u,v) some triangles are flat, flipped, tiny or collapsed to a point; the
+ * positions in space are noise of sizes from 1e-4 to 1. */
 static inline Charted
 charted_rubbish(uint64_t seed)
 {

@@ -1,4 +1,4 @@
-/* charts.h - charts with joined sides, for tests; no program makes them yet. */
+/* charts.h - charts whose sides are glued together, for tests; no program makes them yet. */
 #ifndef CHARTS_H
 #define CHARTS_H
 
@@ -10,7 +10,7 @@ wrap(int i, int n)
 	return (i%n + n)%n;
 }
 
-/* Periodic in v, open in u. */
+/* A tube: periodic in v, with boundaries at both ends of u. */
 static int
 tube_beyond(Chart g, int *i, int *j)
 {
@@ -19,7 +19,7 @@ tube_beyond(Chart g, int *i, int *j)
 	return 1;
 }
 
-/* A closed surface: periodic in v, and (-u,-v) is (u,v). */
+/* A closed surface: periodic in v, and the points (-u,-v) and (u,v) are the same. */
 static int
 pillow_beyond(Chart g, int *i, int *j)
 {
@@ -33,7 +33,8 @@ pillow_beyond(Chart g, int *i, int *j)
 	return out ? -1 : 1;
 }
 
-/* One boundary, at v = T: periodic in u, and (u,-v) is (1-u,v). */
+/* A surface with one boundary, at v = T: periodic in u, and the points (u,-v) and (1-u,v) are the
+ * same. */
 static int
 sock_beyond(Chart g, int *i, int *j)
 {

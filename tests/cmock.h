@@ -1,4 +1,4 @@
-/* cmock.h - cmocka and the headers that it needs before it. */
+/* cmock.h - includes cmocka.h and the headers that must come before it. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,5 @@
-/* cotapply.h - reference y = C x with the cotangent matrix, triangle by triangle. */
+/* cotapply.h - computes y = C x with the cotangent matrix C, triangle by triangle, as a reference
+ * for tests. */
 #ifndef COTAPPLY_H
 #define COTAPPLY_H
 

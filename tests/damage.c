@@ -1,10 +1,10 @@
-/* damage.c - starts a command on every damaged version of a file and demands that each is
- * refused: exit 1, nothing on stdout, one line on stderr.
+/* damage.c - runs a command on many damaged versions of a file and requires that it refuses each
+ * of them: exit 1, nothing on stdout, one line on stderr.
  *
- *   damage cut    STEP FILE COMMAND...     cut to 0, STEP, 2 STEP .. bytes
- *   damage change STEP FILE COMMAND...     byte 0, STEP, 2 STEP .. with its lowest bit flipped
+ *   damage cut    STEP FILE COMMAND...     the file is cut to 0, STEP, 2 STEP .. bytes
+ *   damage change STEP FILE COMMAND...     the lowest bit of byte 0, STEP, 2 STEP .. is flipped
  *
- * Exit 0, or 1 with the first damage that was not refused.
+ * Exits with 0, or prints the first damage that was not refused and exits with 1.
  */
 #include <stdio.h>
 #include <stdlib.h>

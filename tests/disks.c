@@ -1,4 +1,4 @@
-/* disks.c - plane domains triangulated by Delaunay, then bent into space. */
+/* disks.c - random disks: plane domains with Delaunay triangulations, then bent in space. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 #include "../lib/synth/rng.h"
 #include "disks.h"
 
-enum { ROOM = 8000 };           /* vertices at most */
+enum { ROOM = 8000 };           /* the most vertices of a mesh */
 
 /* A mesh under construction. */
 typedef struct Made {
@@ -84,8 +84,8 @@ area(const Made *m, const int *c)
 	return (b[0] - a[0])*(e[1] - a[1]) - (b[1] - a[1])*(e[0] - a[0]);
 }
 
-/* Whether triangle f can be added to the triangles marked `in` so that they remain a disk: it shares
- * two sides with them, or one side and not the opposite corner. */
+/* Whether the triangles marked `in` remain a disk when triangle f is added to them: f shares two
+ * sides with them, or shares one side and they do not use its opposite corner. */
 static int
 extends(const Made *m, const Topology *t, const unsigned char *in, const unsigned char *used, int f)
 {
@@ -102,7 +102,7 @@ extends(const Made *m, const Topology *t, const unsigned char *in, const unsigne
 	return shared == 2 || (shared == 1 && !used[opposite]);
 }
 
-/* Keeps a disk of triangles round the largest: all if they are a disk. */
+/* Keeps only triangles that form a disk, grown from the largest one. */
 static int
 keep_disk(Made *m)
 {
@@ -139,8 +139,8 @@ keep_disk(Made *m)
 	return 0;
 }
 
-/* The Delaunay triangles of the points scaled by sx, sy, those with their centre in the polygon,
- * if there is one. */
+/* Makes the Delaunay triangulation of the points scaled by sx and sy.  If n > 0, keeps only the
+ * triangles whose centroid is inside the polygon. */
 static int
 triangulate(Made *m, double sx, double sy, int n, double poly[][2])
 {
@@ -163,7 +163,7 @@ triangulate(Made *m, double sx, double sy, int n, double poly[][2])
 	return keep_disk(m);
 }
 
-/* A polygon with points on its sides and within. */
+/* Triangulates a polygon of k corners, with points on its sides and n random points inside. */
 static int
 fill(Made *m, int n, int k, double poly[][2])
 {
@@ -245,7 +245,8 @@ comb(Made *m, int n)
 	return fill(m, n, at, poly);
 }
 
-/* A rectangle of length `aspect`, with points on its boundary and within. */
+/* A rectangle of width `aspect` and height 1, with points on its boundary and n random points
+ * inside. */
 static int
 rectangle(Made *m, int n, double aspect)
 {
@@ -277,7 +278,8 @@ spiral(Made *m, int n)
 	return rectangle(m, n, power(m, .7, 1.6));
 }
 
-/* Squares, all corners of each on a circle, or with points within. */
+/* A lattice of squares.  The corners of each lie on a circle, so its Delaunay triangulation is not
+ * unique; half of the lattices have random points inside as well. */
 static int
 grid(Made *m, int n)
 {
@@ -290,7 +292,7 @@ grid(Made *m, int n)
 	return triangulate(m, 1, 1, 0, NULL);
 }
 
-/* Triangles round a hub, even or not. */
+/* Triangles round a central vertex, at equal or random angles. */
 static int
 fan(Made *m, int n)
 {
@@ -312,7 +314,7 @@ fan(Made *m, int n)
 	return 0;
 }
 
-/* Points within triangles: anywhere, almost at a corner, or almost on a side. */
+/* Inserts points inside triangles: anywhere, very close to a corner, or very close to a side. */
 static void
 insert(Made *m)
 {
@@ -337,7 +339,7 @@ insert(Made *m)
 	}
 }
 
-/* The height of point i at (x,y); a: random numbers, the same for all points. */
+/* The height of point i, which is at (x,y); a holds 16 random numbers, the same for all points. */
 typedef double Height(Made *m, int i, double x, double y, const double *a);
 
 static double
@@ -443,7 +445,7 @@ raise(Made *m, int k)
 	name(m, HEIGHTS[k].name);
 }
 
-/* A strip wound up in the plane, or rolled up in space. */
+/* Bends a strip to a spiral in the plane, or rolls it up in space. */
 static void
 wind(Made *m)
 {
@@ -461,7 +463,7 @@ wind(Made *m)
 	name(m, rolled ? "rolled" : "wound");
 }
 
-/* Rotates the mesh, and may scale it, move it and turn it over. */
+/* Rotates the mesh, and at random also scales it, translates it or reverses its orientation. */
 static void
 move(Made *m)
 {

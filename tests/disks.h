@@ -1,5 +1,5 @@
 /* disks.h - random disks for tests: stars, strips, combs, spirals, fans, grids, with needles,
- * spikes, folds, cusps, of any size and place. */
+ * spikes, folds and cusps, of any size and anywhere in space. */
 #ifndef DISKS_H
 #define DISKS_H
 
@@ -9,28 +9,30 @@
 
 enum { DISKS_TAG = 64 };
 
-/* How rough the disks are. */
+/* The kinds of random disks, by roughness. */
 enum {
-	DISKS_ANY,      /* with needles and fans of thin triangles, scaled by 1e-6 .. 1e6, moved far away */
-	DISKS_NICE,     /* without these, of size 1 .. 1000 */
+	DISKS_ANY,      /* may have needles, be scaled by 1e-6 .. 1e6 and lie far from the origin */
+	DISKS_NICE,     /* none of these; of size 1 .. 1000 */
 	DISKS_FLAT      /* DISKS_NICE in the plane z = 0, counterclockwise */
 };
 
-/* A random disk, the same for equal seeds on every machine.  tag: a name for its kind.  Returns 0,
- * or -1 if the seed has none: a triangle without area, or a boundary of three vertices. */
+/* Makes a random disk, the same for equal seeds on every machine; tag receives a name of its kind.
+ * Returns 0, or -1 if this seed gives no usable disk, for instance because a triangle has no area
+ * or the boundary has only three vertices. */
 int disks_random(uint64_t seed, int kind, Disk *d, char tag[DISKS_TAG]);
 
-/* A disk of triangles.  Returns the result of disk_from_soup. */
+/* Makes a disk of the given triangles.  Returns the result of disk_from_soup. */
 int disks_of(int nv, const double *xyz, int nf, const int *tri, Disk *d);
 
-/* The vertices in another order: vertex i becomes number[i], of d->m.nv numbers. */
+/* The same disk with its vertices in a random order: vertex i of d becomes vertex number[i] of
+ * other.  number has room for d->m.nv numbers. */
 int disks_renumbered(const Disk *d, uint64_t seed, Disk *other, int *number);
 
-/* The faces in another order, each beginning at any of its corners. */
+/* The same disk with its faces in a random order, each beginning at a random corner. */
 int disks_reordered(const Disk *d, uint64_t seed, Disk *other);
 
-/* Whether d is one: the twins are those of the faces, one fan at each vertex, one boundary, which
- * is the loop up to its start. */
+/* Whether d is a valid disk: connected, with the twins that follow from its faces, one fan of faces
+ * at each vertex, and one boundary, which is d->loop, perhaps from another first vertex. */
 int disks_is_disk(const Disk *d);
 
 #endif

@@ -1,12 +1,12 @@
 /* fault.c - fault injection, linked into commands and tests with --wrap: the environment
- * selects one call, or all from one on, to fail.
+ * variable FAULT selects which calls fail.
  *
  *   FAULT="CALL N ERROR"       the N-th call of CALL fails with errno ERROR, a number
- *   FAULT="CALL N+ ERROR"      all from the N-th on
- *   FAULT="CALL N+ short"      read and write transfer one byte
- *   FAULT="CALL N kill"        the process is killed there
- *   FAULT="CALL odd ERROR"     the first, the third, ..
- *   FAULT_COUNT=FILE           at exit, writes the number of calls to FILE
+ *   FAULT="CALL N+ ERROR"      the N-th and all later calls fail
+ *   FAULT="CALL N+ short"      these calls, of read or write, transfer only one byte
+ *   FAULT="CALL N kill"        the process is killed at the N-th call
+ *   FAULT="CALL odd ERROR"     the first, the third, the fifth .. call fails
+ *   FAULT_COUNT=FILE           at exit, the number of calls of CALL is written to FILE
  *
  * CALL is `memory`, for all allocations, or the name of a system call.  Allocations inside
  * FFTW, OpenBLAS and libgomp, which end the process if they fail, are not included; those of
@@ -28,12 +28,12 @@ enum { SHORT = -1, KILL = -2 };
 
 static struct {
 	char call[16];
-	long from, to, stride, seen;    /* fails from, from + stride, .., to */
+	long from, to, stride, seen;    /* calls from, from + stride, .., to fail */
 	int  error;
 	long live;
 } fault;
 
-/* 0, or the error the call is to fail with. */
+/* 0, or the error with which this call must fail. */
 static int
 fails(const char *call)
 {
@@ -133,7 +133,7 @@ __wrap_fftw_free(void *p)
 	__real_fftw_free(p);
 }
 
-/* Operator new, which throws. */
+/* The two forms of C++ operator new, which throw an exception if there is no memory. */
 void *__wrap__Znwm(size_t n);
 void *__real__Znwm(size_t n);
 void *__wrap__Znam(size_t n);
@@ -155,7 +155,7 @@ __wrap__Znam(size_t n)
 	return __real__Znam(n);
 }
 
-/* ---- stdio streams and strings, whose memory libc allocates ---- */
+/* ---- stdio streams whose memory is allocated inside libc ---- */
 
 FILE *__real_fopencookie(void *cookie, const char *mode, cookie_io_functions_t io);
 FILE *__wrap_fopencookie(void *cookie, const char *mode, cookie_io_functions_t io);
@@ -175,7 +175,7 @@ __wrap_fmemopen(void *p, size_t n, const char *mode)
 
 /* ---- system calls ---- */
 
-/* 0, or e with errno set. */
+/* 0, or the error with which this call must fail; then sets errno too. */
 static int
 no_call(const char *call)
 {
@@ -196,7 +196,7 @@ CALL(int, rename, (const char *from, const char *to), (from, to))
 CALL(int, mkstemp, (char *name), (name))
 CALL(int, fchmod, (int fd, mode_t mode), (fd, mode))
 
-/* As in the kernel, the descriptor is closed even if close reports an error. */
+/* A failing close still closes the descriptor, as in the kernel. */
 int __real_close(int fd);
 int __wrap_close(int fd);
 int
@@ -229,7 +229,8 @@ __wrap_write(int fd, const void *bytes, size_t n)
 	return e > 0 ? -1 : __real_write(fd, bytes, e == SHORT && n > 1 ? 1 : n);
 }
 
-/* CHOLMOD's memory: members of a struct up to SuiteSparse 6, functions from 7 on. */
+/* Makes CHOLMOD allocate through the wrapped functions.  They are members of a struct up to
+ * SuiteSparse 6 and are set by functions from version 7 on. */
 static void
 replace_suitesparse(void)
 {
@@ -246,7 +247,7 @@ replace_suitesparse(void)
 #endif
 }
 
-/* ---- from the environment ---- */
+/* ---- the variables FAULT and FAULT_COUNT ---- */
 
 static void __attribute__((constructor))
 begin(void)

@@ -1,11 +1,12 @@
-/* fault.h - calls that fail on demand, in a test linked with fault.c and its --wrap. */
+/* fault.h - lets chosen calls fail, in a test linked with fault.c and the --wrap options. */
 #ifndef FAULT_H
 #define FAULT_H
 
-/* From now on, counted from 1, calls number from .. to of `call` fail with that errno. */
+/* Calls number from .. to of `call` fail with errno = error.  The first call after fault_set has
+ * number 1. */
 void fault_set(const char *call, long from, long to, int error);
 
-long fault_seen(void);          /* calls since fault_set */
-long fault_live(void);          /* blocks allocated by C and FFTW and not yet freed */
+long fault_seen(void);          /* calls of `call` since fault_set */
+long fault_live(void);          /* blocks from C and FFTW not yet freed */
 
 #endif

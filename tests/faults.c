@@ -1,14 +1,15 @@
-/* faults.c - starts a command that is linked with fault.c repeatedly, each time with another
- * of its calls failing, and requires the same outcome each time.
+/* faults.c - repeatedly runs a command that is linked with fault.c.  Each time another call
+ * fails, and each time the outcome must be as required.
  *
- *   faults refused CALL ERROR SHARE COMMAND...     exit 1, one line on stderr; nothing on
- *                                                  stdout, or not all if CALL is write
- *   faults ignored CALL ERROR SHARE COMMAND...     exit 0, the same bytes as without fault
+ *   faults refused CALL ERROR SHARE COMMAND...     exit 1, one line on stderr; stdout empty,
+ *                                                  or incomplete if CALL is write
+ *   faults ignored CALL ERROR SHARE COMMAND...     exit 0, the same stdout as without a fault
  *
- * The call that fails next after the N-th is number N + 1 + N/SHARE.  In one run it fails
- * alone; in another it and all later ones fail (not for `ignored`).  With SOAK set each of the
- * first 2000 calls fails in both ways; after them SHARE is 100.  ERROR is a number of errno, or
- * short.  Exit 0, or 1 with the first fault that had another outcome.
+ * After the run in which call N fails comes one in which call N + 1 + N/SHARE fails.  For
+ * `refused`, runs in which only this call fails alternate with runs in which it and all later
+ * calls fail; for `ignored`, only this call fails.  If SOAK is set, each of the first 2000 calls
+ * fails, in both ways for `refused`, and SHARE is 100 for later calls.  ERROR is a value of errno,
+ * or short.  Exits with 0, or prints the first fault with another outcome and exits with 1.
  */
 #include <signal.h>
 #include <stdio.h>
@@ -60,7 +61,7 @@ done(Run *r)
 	fclose(r->err);
 }
 
-/* One line, which begins with the name of the command. */
+/* Whether f is one line that begins with the name of the command. */
 static int
 one_line(FILE *f, const char *command)
 {
@@ -95,7 +96,7 @@ empty(FILE *f)
 	return getc(f) == EOF;
 }
 
-/* Number of calls that the command makes, counted in a run without faults. */
+/* The number of calls, from the FAULT_COUNT file `name`. */
 static long
 count(const char *name)
 {

@@ -1,4 +1,4 @@
-/* lhgbytes.h - streams of .lhg as bytes, including ones that the writer refuses to write. */
+/* lhgbytes.h - streams of .lhg as bytes, including invalid ones that the writer would refuse. */
 #ifndef LHGBYTES_H
 #define LHGBYTES_H
 
@@ -7,7 +7,7 @@
 
 #include "cmock.h"
 
-#define TOOL __attribute__((unused)) static       /* not every test needs all */
+#define TOOL __attribute__((unused)) static       /* not every test uses all of these */
 
 typedef struct Bytes {
 	char  *p;
@@ -66,7 +66,8 @@ headlen(Bytes b)
 	return n + (size_t)((char *)memchr(b.p + n, '\n', b.n - n) - (b.p + n)) + 1;
 }
 
-/* A header of n bytes of lines and a valid last line, padded by `more` spaces too many. */
+/* A header that consists of the n bytes of lines and a valid last line.  It is padded to a multiple
+ * of 64 bytes and then by `more` further spaces, which are an error. */
 TOOL Bytes
 headof(const char *lines, size_t n, size_t more)
 {
@@ -81,7 +82,7 @@ headof(const char *lines, size_t n, size_t more)
 	return b;
 }
 
-/* A complete grid with that header and one channel of n samples. */
+/* A complete grid with the header `head` and one channel of n samples; frees head. */
 TOOL Bytes
 gridof(Bytes head, const double *f, size_t n)
 {

@@ -1,7 +1,7 @@
-/* lhgsample - a small stream of two frames with every support, for lhgpy.bats:
+/* lhgsample - a small stream of two frames with channels of every support, for lhgpy.bats:
  *
- *   lhgsample        write it to stdout
- *   lhgsample check  read stdin, fail unless it is that stream
+ *   lhgsample        writes the stream to stdout
+ *   lhgsample check  reads stdin and fails unless it is that stream
  *
  * Sample k of channel c (from 0) in frame m (from 1) is (k^2 - 7)/8 + 100 c + m. */
 #include <stdio.h>
@@ -30,7 +30,7 @@ make(Lhg *g, int frame)
 	double *f;
 	int c;
 
-	lhg_init(g, NU, NV, 0.1 + 0.2);         /* needs 17 digits */
+	lhg_init(g, NU, NV, 0.1 + 0.2);         /* 0.30000000000000004 */
 	g->frame = frame;
 	g->frames = FRAMES;
 	for (c = 0; c < CHANNELS; c++) {
@@ -60,7 +60,7 @@ same(const Lhg *a, const Lhg *b)
 	return 1;
 }
 
-/* Writes (check == 0) or compares the frame of g, and frees g. */
+/* Writes the frame g to s, or with check compares it with the next frame of s; frees g. */
 static int
 frame(LhgStream *s, Lhg *g, int check)
 {

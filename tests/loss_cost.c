@@ -1,8 +1,9 @@
-/* loss_cost - what it costs to measure the loss of a grid, beside the map that makes the grid.
+/* loss_cost - the cost of measuring the loss of a grid, relative to the cost of making the grid.
  *
  * usage: loss_cost MESH
- * prints the processor seconds of mapping and sampling MESH on 257 x 257 nodes, those of gridloss, and
- * the second over the first in percent.  Only for measurements: it tests nothing. */
+ * prints the processor seconds of reading, mapping and sampling MESH on 257 x 257 nodes, the
+ * seconds of gridloss, and the second number in percent of the first.  Only for measurements: it
+ * tests nothing. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>

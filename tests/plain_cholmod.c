@@ -1,10 +1,11 @@
 /* plain_cholmod - the program that mesh2rect's speed is compared with: it solves the two
- * cotangent systems of a mesh file by CHOLMOD with its defaults (AMD, and METIS if AMD's order
- * is bad; the default number of BLAS threads).
+ * cotangent systems of a mesh file by CHOLMOD with its defaults (the AMD ordering, METIS if
+ * AMD's ordering is bad, and the default number of BLAS threads).
  *
  * usage: plain_cholmod MESH
- * prints the seconds of reading and of the two solves with their assembly, T, and the
- * peak memory of the whole process.  Only for measurements: it tests nothing. */
+ * prints the number of vertices, the seconds of reading and those of the two solves with their
+ * assembly, T, and the peak memory of the whole process.  Only for measurements: it tests
+ * nothing. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -137,8 +138,8 @@ hold(const Disk *d, int a, int b, double value, double *x, int *number)
 	}
 }
 
-/* Dirichlet energy of the harmonic function that is 0 on the side that begins at corner k and 1
- * on the opposite side. */
+/* The Dirichlet energy of the harmonic function that is 0 on the side that begins at corner k and
+ * 1 on the opposite side. */
 static double
 harmonic(const Disk *d, const int corner[4], int k)
 {

@@ -1,8 +1,8 @@
 /* surfaces.h - conformal immersions whose lambda and H are known in closed form.
  *
- * The chart of a test is never square, never has h = k and never T = 1: on such a one an
- * exchange of u with v or h with k goes unseen.  stereo and enneper have no symmetry in u
- * or v: where phi_u . phi_uu = 0, a first-order error at the border is not seen.
+ * Tests should use charts with nu != nv, h != k and T != 1: otherwise a test cannot notice that
+ * u and v, or h and k, are exchanged.  stereo and enneper are shifted so that they are not
+ * symmetric in u or v: where phi_u . phi_uu = 0, a first-order error at the border goes unnoticed.
  */
 #ifndef SURFACES_H
 #define SURFACES_H
@@ -27,7 +27,7 @@ stereo(double u, double v)
 	return (Node){ { 2*x/r, 2*y/r, 1 - 2/r }, 2/r, 1 };
 }
 
-/* Radius 2, normal pointing out: H = -1/4. */
+/* A cylinder of radius 2 whose normal points out: H = -1/4. */
 static inline Node
 cylinder(double u, double v)
 {
@@ -50,7 +50,7 @@ enneper(double u, double v)
 	return (Node){ { x - x*x*x/3 + x*y*y, y - y*y*y/3 + y*x*x, x*x - y*y }, 1 + x*x + y*y, 0 };
 }
 
-/* R = sqrt(2), r = 1, normal outward: the only one here whose H varies. */
+/* A torus of radii sqrt(2) and 1 whose normal points out: the only surface here whose H varies. */
 static inline Node
 torus(double u, double v)
 {
@@ -65,7 +65,7 @@ plane(double u, double v)
 	return (Node){ { 3*u, 3*v, 1 }, 3, 0 };
 }
 
-/* Fills phi, lambda, H (any may be NULL) with the surface scaled by s. */
+/* Samples the surface, scaled by s, at the nodes of g; any of phi, lambda and H may be NULL. */
 static inline void
 sample_immersion(Immersion *f, Chart g, double s, double *phi[3], double *lambda, double *H)
 {
@@ -84,7 +84,7 @@ sample_immersion(Immersion *f, Chart g, double s, double *phi[3], double *lambda
 		}
 }
 
-/* The largest difference of two fields; NaN if any difference is NaN. */
+/* The largest absolute difference of two fields, or NaN if any difference is NaN. */
 static inline double
 largest(size_t n, const double *a, const double *b)
 {
@@ -97,7 +97,7 @@ largest(size_t n, const double *a, const double *b)
 	return max;
 }
 
-/* Random numbers in [-1,1], the same in every run. */
+/* The next pseudo-random number in [-1,1], the same in every run. */
 static inline double
 noise(unsigned long long *state)
 {

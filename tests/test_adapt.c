@@ -1,4 +1,4 @@
-/* test_adapt.c - splitting of faces, and the map on the split mesh. */
+/* test_adapt.c - splitting faces, the map on a mesh split where needed, and untangling. */
 #include "cmock.h"
 
 #include <math.h>
@@ -12,8 +12,8 @@
 #include "surfaces.h"
 #include "synthdisk.h"
 
-/* A conforming mesh of the same surface: still a disk, with the same area and boundary and valid
- * twins; the old vertices are unchanged. */
+/* Checks that finer is a conforming mesh of the same surface as d: it is a disk with valid loop and
+ * twins and with the same area, and the old vertices have not moved. */
 static void
 check_finer(const Disk *d, const Disk *finer)
 {
@@ -118,12 +118,12 @@ split_some_is_conforming(void **state)
 		free(marked);
 		disk_free(&d);
 		d = finer;
-		assert_true(least_angle(&d.m) > angle/2);       /* the bound of Rosenberg and Stenger */
+		assert_true(least_angle(&d.m) > angle/2);       /* proved by Rosenberg and Stenger */
 	}
 	disk_free(&d);
 }
 
-/* T of quadrilaterals whose modulus is known. */
+/* T is right to 1e-4 on quadrilaterals whose modulus is known. */
 static void
 modulus_to_1e_4(void **state)
 {
@@ -170,8 +170,8 @@ stops_at_the_limit(void **state)
 	disk_free(&d);
 }
 
-/* Splitting stops at every bound, also where the remaining room is too small for one face.  If it
- * does not, the alarm ends the process. */
+/* Splitting ends for every limit on the number of vertices, also if the limit leaves no room to
+ * split even one face.  If it does not end, the alarm kills the process. */
 static void
 ends_at_every_limit(void **state)
 {
@@ -194,8 +194,8 @@ ends_at_every_limit(void **state)
 	disk_free(&d);
 }
 
-/* A vertex moved out of its ring flips triangles; untangling repairs them, and moves no vertex
- * far away. */
+/* A vertex moved out of the ring of its neighbours flips triangles.  untangle turns them back and
+ * moves at most 12 vertices. */
 static void
 untangle_sets_right(void **state)
 {

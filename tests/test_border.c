@@ -1,4 +1,5 @@
-/* test_border.c - the nodes of a border, places on it, and nearest places. */
+/* test_border.c - border.h: the nodes of the border of a grid, places on it, and the place nearest
+ * to a point. */
 #include "cmock.h"
 
 #include <math.h>
@@ -11,7 +12,7 @@
 
 enum { NU = 7, NV = 5 };
 
-/* A rectangle of width 3 and height 10, in space. */
+/* The border of a rectangle of width 3 and height 10 in the plane z = 1. */
 static void
 rectangle(Border *b)
 {
@@ -57,7 +58,8 @@ once_round(void **state)
 	}
 }
 
-/* The rectangle's sides are straight, so places are proportions of them. */
+/* The sides of the rectangle are straight and evenly divided: place k + t is the point at the
+ * fraction t of side k. */
 static void
 places(void **state)
 {
@@ -87,7 +89,7 @@ places(void **state)
 	border_free(&b);
 }
 
-/* Against brute force over many places. */
+/* border_nearest is no farther from the point than the best of 4000 places. */
 static void
 nearest(void **state)
 {

@@ -1,4 +1,5 @@
-/* test_cellsq.c - least squares over cells: adjoint, optimum, order of elimination. */
+/* test_cellsq.c - cellsq.h, least squares with equations in each cell of a grid: the adjoint, the
+ * minimum, a singular system; and the elimination order of dissect.h. */
 #include "cmock.h"
 
 #include "../lib/surface/cellsq.h"
@@ -8,7 +9,7 @@
 static const Chart CHART = { 13, 9, 0.6, &CHART_RECTANGLE };
 enum { FIELDS = 2, ROWS = 5, RHS = 2, NODES = 13*9, CELLS = 12*8, HELD = 1 };
 
-/* A random full system, the same numbers on every request for a cell. */
+/* Random equations for a cell, all coefficients nonzero, the same on every call for that cell. */
 static void
 random_cell(const void *ctx, int i, int j, CellRows *r)
 {
@@ -59,7 +60,7 @@ adjoint(void **state)
 	assert_true(fabs(left - right) < 1e-11*fabs(left) + 1e-11);
 }
 
-/* At the minimum the gradient A'(A x - b) is 0 at free nodes; held ones do not move. */
+/* At the minimum the gradient A'(A x - b) is 0 at the free nodes; held nodes keep their values. */
 static void
 gradient_vanishes(void **state)
 {

@@ -11,12 +11,12 @@
 #include "../lib/sample/sampler.h"
 #include "synthdisk.h"
 
-/* A curved sheet over [0,1] x [0,2/3], u and v its chart. */
+/* A curved surface with chart coordinates (u,v) in [0,1] x [0,2/3]. */
 typedef struct Sheet {
 	Disk    d;
 	double *u, *v;
 	Chart   g;
-	double *x, *y;          /* nodes of g */
+	double *x, *y;          /* (u,v) of the nodes of g */
 } Sheet;
 
 static Sheet
@@ -60,7 +60,7 @@ drop(Sheet *s)
 	free(s->y);
 }
 
-/* Channel c at the nodes of the sheet; the caller frees each of out. */
+/* Samples channel c at the nodes of s->g; the caller frees each of out. */
 static void
 sampled(const Sheet *s, int surface, const Channel *c, double *out[])
 {
@@ -74,7 +74,7 @@ sampled(const Sheet *s, int surface, const Channel *c, double *out[])
 	sampler_free(&sampler);
 }
 
-/* Channels linear in the positions stay so on the grid. */
+/* A channel that is a linear function of the position is the same function of it on the grid. */
 static void
 linear_in_position(void **state)
 {
@@ -123,8 +123,8 @@ size(int k)
 	return k == 0 ? 1 : k == 1 ? 1e-5 : 1e9;
 }
 
-/* Quadratics of (u,v), of any size, including extrema, are exact on the grid, and on the vertices
- * when they are interpolated back. */
+/* Quadratic polynomials of (u,v), of very different magnitudes and with an extremum inside, are
+ * exact on the grid, and exact again at the vertices after interpolation from the grid. */
 static void
 quadratics_there_and_back(void **state)
 {
@@ -162,7 +162,8 @@ quadratics_there_and_back(void **state)
 	drop(&s);
 }
 
-/* Labels 0 and 1: no node overshoots far, and none at all far from the jump. */
+/* A channel that jumps from 0 to 1: the smooth surface overshoots by less than 0.5, and not at all
+ * far from the jump; the facets do not overshoot. */
 static void
 jumps_do_not_overshoot(void **state)
 {
@@ -190,7 +191,8 @@ jumps_do_not_overshoot(void **state)
 	drop(&s);
 }
 
-/* A soup of two triangles and a vertex of no face. */
+/* Repair (dropping an unused vertex, welding) keeps the channels of a soup of two triangles, and
+ * disk_channel_to_soup returns them to the vertices of the soup. */
 static void
 kept_by_repair(void **state)
 {
@@ -218,14 +220,14 @@ kept_by_repair(void **state)
 	assert_int_equal(disk_channel_to_soup(&d, "back", 3, c->f, -1, &s), 0);
 	to = channel_values(&s.channels, "back");
 	assert_true(to[0] == -1 && to[1] == -1 && to[2] == -1);
-	for (i = 1; i < 7; i++)         /* a welded vertex has the values of the first */
+	for (i = 1; i < 7; i++)         /* welded vertices have equal values */
 		assert_true(to[3*i] == (i == 4 ? 2 : i == 6 ? 3 : i) && to[3*i+2] == 0.5);
 	channels_free(&s.channels);
 	disk_free(&d);
 }
 
-/* New vertices get the mean of the ends of their edges, so channels linear in the positions stay
- * linear. */
+/* A new vertex gets the mean of the values at the ends of its edge, so a channel that is linear in
+ * the position stays linear. */
 static void
 kept_by_splitting(void **state)
 {

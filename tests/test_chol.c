@@ -1,5 +1,5 @@
-/* test_chol.c - the sparse Cholesky factor against dense elimination and, on larger graphs,
- * against a solution chosen beforehand. */
+/* test_chol.c - chol.h, sparse Cholesky solves: the solution must be the vector from which the
+ * right-hand side was computed, and failing pivots those of dense elimination. */
 #include "cmock.h"
 
 #include <math.h>
@@ -24,7 +24,8 @@ room(size_t n, size_t size)
 	return p;
 }
 
-/* Makes the matrix from its pattern; the diagonal is the row sum of |a_ij| plus a little. */
+/* Gives the pattern random values: each diagonal entry is the sum of |a_ij| over its row plus 0.1,
+ * so the matrix is positive definite. */
 static void
 set_values(System *s, unsigned long long *seed)
 {
@@ -46,7 +47,8 @@ set_values(System *s, unsigned long long *seed)
 			s->diagonal[i] += fabs(s->off[k]);
 }
 
-/* Each pair is an edge with this probability; random order of elimination. */
+/* A random graph in which each pair of vertices is an edge with probability `chance`, and a random
+ * order of elimination. */
 static System
 random_system(int n, double chance, unsigned long long *seed)
 {
@@ -74,7 +76,7 @@ random_system(int n, double chance, unsigned long long *seed)
 	return s;
 }
 
-/* The triangulated square of n x n vertices, nested dissection. */
+/* The graph of a triangulated square of n x n vertices, ordered by nested dissection. */
 static System
 square_system(int n, unsigned long long *seed)
 {
@@ -104,7 +106,7 @@ drop(System *s)
 	free(s->g.first), free(s->g.adj), free(s->order), free(s->off), free(s->diagonal);
 }
 
-/* y = A x, with the rows and columns of held vertices those of the identity. */
+/* y = A x, where the rows and columns of held vertices are replaced by those of the identity. */
 static void
 multiply(const System *s, const unsigned char *held, const double *x, double *y)
 {
@@ -118,7 +120,7 @@ multiply(const System *s, const unsigned char *held, const double *x, double *y)
 	}
 }
 
-/* The error of chol_solve for the right-hand side A x is below bound. */
+/* Checks that chol_solve with right-hand side A x returns x, for a random x, up to bound. */
 static void
 check_solution(const System *s, const unsigned char *held, unsigned long long *seed, double bound)
 {
@@ -139,7 +141,8 @@ check_solution(const System *s, const unsigned char *held, unsigned long long *s
 	free(x), free(y);
 }
 
-/* Including single vertices, unconnected graphs and full matrices. */
+/* The solution is right for random graphs, among them empty graphs, single vertices, disconnected
+ * graphs and full matrices. */
 static void
 random_patterns(void **state)
 {
@@ -174,7 +177,8 @@ held_vertices(void **state)
 	}
 }
 
-/* Fronts factored by several tasks: a full matrix is a single front, a square has several. */
+/* The solution is right if fronts are so large that several tasks factor them: a full matrix is a
+ * single front, a square mesh has several. */
 static void
 large_fronts(void **state)
 {
@@ -189,7 +193,7 @@ large_fronts(void **state)
 	drop(&s);
 }
 
-/* The same analysis with other numbers: nothing remains of the old ones. */
+/* One symbolic analysis serves several matrices, and no solve depends on the matrices before it. */
 static void
 solved_again(void **state)
 {
@@ -217,7 +221,7 @@ solved_again(void **state)
 	drop(&s);
 }
 
-/* <A^-1 x, y> = <x, A^-1 y>. */
+/* A^-1 is symmetric: <A^-1 x, y> = <x, A^-1 y>. */
 static void
 inverse_is_its_own_adjoint(void **state)
 {
@@ -247,8 +251,8 @@ inverse_is_its_own_adjoint(void **state)
 	drop(&s);
 }
 
-/* The vertex of the first pivot that is not positive when the full matrix is eliminated in this
- * order, or -1. */
+/* The vertex of the first pivot that is not positive when the matrix is eliminated in this order as
+ * a dense matrix, or -1 if all pivots are positive. */
 static int
 first_to_fail(const System *s, const int *order)
 {
@@ -273,8 +277,8 @@ first_to_fail(const System *s, const int *order)
 	return bad;
 }
 
-/* Diagonals are made smaller, one after the other or all at once, until the matrix is
- * indefinite. */
+/* Diagonal entries are made smaller one after the other until the matrix is indefinite: chol_solve
+ * must report the same failing vertex as dense elimination. */
 static void
 indefinite_matrix_is_reported_at_its_pivot(void **state)
 {

@@ -1,9 +1,10 @@
-/* test_clough.c - clough.h: exact on cubics, continuity, order and limits. */
+/* test_clough.c - clough.h, the Clough-Tocher interpolant: it is exact on cubics, its first
+ * derivatives are continuous, it converges with the right order, and it is bounded. */
 #include "cmock.h"
 
 #include "charted.h"
 
-/* Number of sides of triangle t across which the derivative was limited. */
+/* The number of sides of triangle t across which the derivative was limited. */
 static int
 limited_sides(const Clough *c, int t)
 {
@@ -13,8 +14,8 @@ limited_sides(const Clough *c, int t)
 	return clough_eval(c, t, centre, phi);
 }
 
-/* The cubic on side i j that interpolates positions and derivatives at its ends, at (1-s) i + s
- * j. */
+/* The cubic on side i j that interpolates the positions and derivatives at both ends, evaluated at
+ * the point (1-s) i + s j. */
 static void
 cubic_of_side(const Clough *cl, int i, int j, double s, double phi[3])
 {
@@ -59,8 +60,9 @@ flat_at(const Charted *s, int t, const double b[3], double phi[3])
 		phi[c] = b[0]*s->m.xyz[3*q[0] + c] + b[1]*s->m.xyz[3*q[1] + c] + b[2]*s->m.xyz[3*q[2] + c];
 }
 
-/* First and second derivative of phi at b of triangle t along the line to b + d, from
- * four points, exact for the cubic of one part: b + 3d must lie in the same part. */
+/* First and second derivative of phi at the point b of triangle t in the direction d, from the
+ * values at b, b + d, b + 2d and b + 3d.  It is exact if all four lie in one of the three parts of
+ * the triangle, where phi is one cubic. */
 static void
 along(const Charted *s, int t, const double b[3], const double d[3], double first[3], double second[3])
 {
@@ -93,7 +95,7 @@ corner_opposite(const Mesh *m, int t, int r)
 	return -1;
 }
 
-/* All pairs (t, r, k) of triangles with a common side; k is the corner of t not on it. */
+/* Two triangles t and r with a common side; k is the corner of t opposite to it. */
 typedef struct Pair {
 	int t, r, k;
 } Pair;
@@ -112,7 +114,7 @@ pairs(const Mesh *m, int *n)
 	return p;
 }
 
-/* Barycentric coordinates in triangle t of the point (1-x) i + x j. */
+/* Barycentric coordinates in triangle t of the point (1-x) i + x j on its side i j. */
 static void
 on_side(const Mesh *m, int t, int i, int j, double x, double b[3])
 {
@@ -122,7 +124,8 @@ on_side(const Mesh *m, int t, int i, int j, double x, double b[3])
 		b[k] = m->tri[3*t + k] == i ? 1 - x : m->tri[3*t + k] == j ? x : 0;
 }
 
-/* Random jets, which belong to no surface, small enough not to be limited. */
+/* Adds random numbers to the jets, so that they belong to no surface; for a small `size` they are
+ * not limited. */
 static void
 random_jets(Charted *s, uint64_t seed, double size)
 {
@@ -159,7 +162,8 @@ cubics_are_exact(void **state)
 	charted_free(&s);
 }
 
-/* Triangles with a side of length 0, and others that this flips: cubics are exact there too. */
+/* Cubics are also exact where vertices coincide in (u,v), on triangles with a side of length 0 and
+ * on the triangles that are flipped because of them. */
 static void
 coincident_vertices(void **state)
 {
@@ -187,7 +191,7 @@ coincident_vertices(void **state)
 	charted_free(&s);
 }
 
-/* Bit for bit, for any jets. */
+/* At the vertices the interpolant has exactly the given positions, even on degenerate input. */
 static void
 exact_at_vertices(void **state)
 {
@@ -207,8 +211,9 @@ exact_at_vertices(void **state)
 	charted_free(&s);
 }
 
-/* The derivative along the unit normal of side i j in (u,v), pointing out of t: from the
- * derivative towards the centroid, minus its part along the side. */
+/* The derivative at a point of side i j along the unit normal of this side in the (u,v) plane.  It
+ * is the derivative towards the centroid of t minus its part along the side.  The normal depends
+ * only on i and j, so both triangles at the side give the same derivative if it is continuous. */
 static void
 across(const Charted *s, int t, int i, int j, double x, int k, double out[3])
 {
@@ -236,7 +241,7 @@ across(const Charted *s, int t, int i, int j, double x, int k, double out[3])
 		out[c] = (first[c] - share*20*tangent[c])/height;
 }
 
-/* First derivatives are continuous across the sides, for any jets. */
+/* First derivatives are continuous across the sides of triangles, also for random jets. */
 static void
 smooth_over_sides(void **state)
 {
@@ -265,8 +270,8 @@ smooth_over_sides(void **state)
 	charted_free(&s);
 }
 
-/* The same between the three parts of a triangle: on the spoke of corner k, the derivative
- * at right angles to the spoke from either side. */
+/* First derivatives are also continuous between the three parts of a triangle: at points of the
+ * segment from a corner to the centroid, the derivatives across it agree from both sides. */
 static void
 smooth_inside(void **state)
 {
@@ -297,8 +302,9 @@ smooth_inside(void **state)
 	charted_free(&s);
 }
 
-/* On degenerate input, neighbours have the same cubic on their common side, and no point leaves
- * its flat triangle by more than half the longest side.  The limit is needed for this. */
+/* On degenerate input, neighbours have the same cubic on their common side, and no point is farther
+ * from its point on the flat triangle than half the longest side.  Some derivatives are limited:
+ * the input tests the limit. */
 static void
 degenerate_input_is_continuous_and_bounded(void **state)
 {
@@ -336,7 +342,8 @@ degenerate_input_is_continuous_and_bounded(void **state)
 	assert_true(limited > 0);
 }
 
-/* Second derivatives without any limit, which have an effect only inside triangles. */
+/* The interpolant is also bounded if the jets contain huge second derivatives, which have an effect
+ * only inside triangles. */
 static void
 bounded_for_any_jets(void **state)
 {
@@ -363,8 +370,8 @@ bounded_for_any_jets(void **state)
 	charted_free(&s);
 }
 
-/* Root mean squares over random points of the error of phi, of its first and its second
- * derivatives, and of the part of the Laplacian along the normal. */
+/* Root mean squares, over one random point in each triangle, of four errors: of phi, of its first
+ * derivatives, of its second derivatives, and of the normal part of its Laplacian. */
 static void
 errors(const Charted *s, double e[4])
 {
@@ -409,8 +416,8 @@ errors(const Charted *s, double e[4])
 }
 
 /* phi converges with fourth order in the mesh size, first derivatives with third, second
- * ones and the normal part of the Laplacian with second; orders from first to last, at least 0.2
- * less. */
+ * derivatives and the normal part of the Laplacian with second.  The orders measured from the first
+ * to the last mesh may be lower by 0.2. */
 static void
 orders(void **state)
 {

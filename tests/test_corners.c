@@ -1,5 +1,5 @@
-/* test_corners.c - corners.h on surfaces whose corners are known, on ragged boundaries and on
- * surfaces without corners; nearest points, and the flipped disk. */
+/* test_corners.c - corners.h: finding corners on surfaces whose corners are known, on ragged
+ * boundaries, on boundaries without corners and on flipped disks; corners from points or places. */
 #include "cmock.h"
 
 #include <math.h>
@@ -20,7 +20,7 @@ make(const char *kind, int n, Disk *d)
 	free(xy);
 }
 
-/* mkmesh's corners are vertices 0 1 2 3, and the loop begins at 0. */
+/* corners_auto finds the true corners of synthetic surfaces, which are vertices 0 1 2 3. */
 static void
 real_corners(void **state)
 {
@@ -45,7 +45,8 @@ real_corners(void **state)
 	}
 }
 
-/* On a boundary without corners the four arcs are quarters, to an edge length. */
+/* On a boundary without four corners, the chosen points divide its length into quarters, up to one
+ * edge length. */
 static void
 equal_arcs(void **state)
 {
@@ -76,9 +77,9 @@ equal_arcs(void **state)
 	}
 }
 
-/* A lattice of NX x NY squares, its boundary vertices moved at random by up to 0.4 of an
- * edge either way, an ear (a triangle with two boundary edges) on every third boundary
- * edge; every diagonal at a corner is a chord.  Its corners are vertices A B C D. */
+/* The ragged disk is a lattice of NX x NY squares.  Its boundary vertices are moved at random by up
+ * to 0.4 of an edge in x and y, and every third boundary edge has an ear, a triangle with two
+ * boundary edges.  Its corners are vertices A B C D. */
 enum { NX = 60, NY = 40, V = (NX+1)*(NY+1), A = 0, B = NX, C = V - 1, D = V - 1 - NX };
 
 static void
@@ -139,7 +140,8 @@ ragged(Disk *d, double scale, uint64_t seed)
 		fail_msg("%s", d->err);
 }
 
-/* Within three lattice edges of the true ones, whatever the unit of length. */
+/* The corners of the ragged disk are found within three lattice edges, whatever the unit of
+ * length. */
 static void
 ragged_corners(void **state)
 {
@@ -162,8 +164,8 @@ ragged_corners(void **state)
 	}
 }
 
-/* A square whose top has a notch, with turns of 30, -60 and 30 degrees: a reflex turn is no
- * corner, from either side of the surface. */
+/* A square with a notch in its top side, where the boundary turns by 30, -60 and 30 degrees.  The
+ * turn of -60 degrees must not be taken for a corner, nor on the flipped surface. */
 static void
 notched(void **state)
 {
@@ -230,11 +232,11 @@ nearest_points(void **state)
 	assert_int_equal(disk_from_soup(&d, &s), 0);
 	for (i = 0; i < 4; i++)
 		assert_int_equal(corners_nearest(&d, xyz + 3*i), i);
-	assert_int_equal(corners_nearest(&d, (double[]){ 1.1, 1.2, 0 }), 2);    /* 4 is nearer, but inside */
-	assert_int_equal(corners_nearest(&d, (double[]){ 1, 1, 5 }), 0);        /* the lowest number */
+	assert_int_equal(corners_nearest(&d, (double[]){ 1.1, 1.2, 0 }), 2);    /* 4 is nearer but inside */
+	assert_int_equal(corners_nearest(&d, (double[]){ 1, 1, 5 }), 0);        /* of equals the lowest */
 	assert_int_equal(corners_nearest(&d, (double[]){ 3, 1, 0 }), 1);
 	assert_int_equal(corners_nearest(&d, (double[]){ -1e5, 1e5, 0 }), 3);
-	disk_flip(&d);                                                          /* the loop runs 0 3 2 1 */
+	disk_flip(&d);                                                          /* loop 0 3 2 1 */
 	assert_int_equal(corners_nearest(&d, (double[]){ 3, 1, 0 }), 1);
 	disk_free(&d);
 }
@@ -259,8 +261,8 @@ too_few(void **state)
 	disk_free(&d);
 }
 
-/* Places that are vertices give these vertices, from any first one; close places give
- * neighbours. */
+/* corners_at returns the boundary vertices at the given places, whichever of them comes first; four
+ * equal places give four successive vertices. */
 static void
 at_places(void **state)
 {

@@ -1,5 +1,5 @@
-/* test_curvematch.c - the best shift of a closed curve against another: against rigid fits for
- * each shift, and for curves shifted, moved and disturbed. */
+/* test_curvematch.c - curvematch.h, the shift of a closed curve that fits another curve best:
+ * compared with a rigid fit for each shift, and on curves with a known shift. */
 #include "cmock.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@
 
 enum { N = 120 };
 
-/* A closed curve in space without symmetry. */
+/* n points of a closed space curve without symmetry; the first has parameter `from`. */
 static void
 curve(int n, double from, double *x)
 {
@@ -39,7 +39,8 @@ disturb(uint64_t *seed, double size, int n, double *x)
 static const Rigid MOVE = { { { 0.36, 0.48, -0.8 }, { -0.8, 0.6, 0 }, { 0.48, 0.64, 0.6 } },
 	{ 5, -7, 11 } };
 
-/* The rms of every shift is that of the best motion for the pairs of points at this shift. */
+/* The rms of every shift is that of the best rigid motion (procrustes) for the pairs of points that
+ * this shift makes. */
 static void
 against_brute_force(void **state)
 {
@@ -88,7 +89,7 @@ known_shifts(void **state)
 		}
 }
 
-/* On a circle all shifts fit equally well: the one without rotation is chosen. */
+/* On a circle all shifts fit equally well; the one without rotation is chosen. */
 static void
 circle(void **state)
 {
@@ -102,8 +103,8 @@ circle(void **state)
 	assert_int_equal(curvematch_choose(N, rms, angle, 1), 0);
 }
 
-/* An ellipse also fits turned by 180 degrees: the fit with the smaller rotation is chosen, and
- * the other is the second best. */
+/* An ellipse fits itself in two positions, half a turn apart: the fit with the smaller rotation is
+ * chosen, and curvematch_next returns the rms of the other. */
 static void
 two_fits(void **state)
 {

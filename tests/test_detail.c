@@ -1,5 +1,5 @@
-/* test_detail.c - detail.h: offsets from a gridded surface come back on it, and move, turn and grow
- * with it. */
+/* test_detail.c - detail.h: points stored as offsets from a gridded surface are restored from the
+ * same surface, and move, turn and grow with a changed one. */
 #include "cmock.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@ enum { NU = 33, NV = 41, NODES = NU*NV, POINTS = 300 };
 
 static const Chart G = { NU, NV, 1.2, &CHART_RECTANGLE };
 
-/* A bent sheet, sheet[c][p]. */
+/* A curved surface; coordinate c of node p is x[c][p]. */
 static void
 sheet(double x[3][NODES])
 {
@@ -33,7 +33,8 @@ rows(double x[3][NODES], const double *phi[3])
 	phi[0] = x[0], phi[1] = x[1], phi[2] = x[2];
 }
 
-/* Point p: its (u,v), corners and sides among them, and its place in space, near the sheet or far. */
+/* Point p: its (u,v), for small p at corners and sides of the chart, and its position x, near the
+ * surface or far from it. */
 static void
 point(int p, double *u, double *v, double x[3])
 {
@@ -73,7 +74,7 @@ the_same_grid_gives_the_points_back(void **state)
 	detail_free(&d);
 }
 
-/* x -> 7 R x + t, R a rotation with all entries. */
+/* The similarity b = 7 R a + t with a rotation R. */
 static void
 motion(const double a[3], double b[3])
 {
@@ -116,7 +117,8 @@ offsets_follow_a_similarity(void **state)
 	detail_free(&e);
 }
 
-/* The same surface on a chart of another height: v and the window are scaled. */
+/* Offsets of one surface apply to a surface on a chart of another height T: v and the window are
+ * scaled to it. */
 static void
 another_height(void **state)
 {
@@ -136,15 +138,15 @@ another_height(void **state)
 	assert_int_equal(detail_init(&e, g, phi), 0);
 	detail_vertex(&d, G.T, 0.5, 0.4, o, a);
 	detail_vertex(&e, G.T, 0.5, 0.8, o, b);
-	n = sqrt((1 + 0.25)/2);         /* |phi_u| = 1, |phi_v| = 1/2: lambda^2 is the mean of their squares */
+	n = sqrt((1 + 0.25)/2);         /* lambda: |phi_u| = 1, |phi_v| = 1/2 */
 	assert_true(fabs(a[0] - 0.5) + fabs(a[1] - 0.4) + fabs(a[2] - 0.1) < 1e-14);
 	assert_true(fabs(b[0] - 0.5) + fabs(b[1] - 0.4) + fabs(b[2] - 0.1*n) < 1e-14);
 	detail_free(&d);
 	detail_free(&e);
 }
 
-/* A long offset is in the frame of its root: a tilted bump inside its window does not turn it.  A short
- * one, in a window of its own, turns with the bump. */
+/* A long offset has a wide window: its frame is that of a whole neighbourhood, and a tilted bump
+ * inside the window does not turn it.  A short offset with an empty window turns with the bump. */
 static void
 limbs_follow_their_root(void **state)
 {
@@ -160,7 +162,7 @@ limbs_follow_their_root(void **state)
 		const double u = i%NU/(NU - 1.), v = G.T*(i/NU)/(NV - 1), r = hypot(u - 0.5, v - 0.6)/0.2;
 
 		x[0][i] = y[0][i] = u, x[1][i] = y[1][i] = v, x[2][i] = 0;
-		y[2][i] = r < 1 ? (u - 0.5)*0.8*(1 - r*r) : 0;         /* tilted at its middle, flat outside */
+		y[2][i] = r < 1 ? (u - 0.5)*0.8*(1 - r*r) : 0;         /* tilted in the middle */
 	}
 	rows(x, phi), rows(y, psi);
 	assert_int_equal(detail_init(&d, G, phi), 0);
@@ -176,7 +178,8 @@ limbs_follow_their_root(void **state)
 	detail_free(&e);
 }
 
-/* Surfaces that have shrunk to a line or a point: numbers all the same. */
+/* On surfaces that have shrunk to a line or a point all results are finite, and on a line the point
+ * is still restored. */
 static void
 without_area(void **state)
 {

@@ -1,5 +1,5 @@
-/* test_disk.c - disk.h: soups accepted, repaired or refused with the reason; soups written here
- * and the real meshes. */
+/* test_disk.c - disk.h: soups are accepted, repaired, or refused with a reason.  They are written
+ * here or come from the folder of real meshes. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,8 +14,8 @@
 #include "../lib/mesh/disk.h"
 #include "../lib/meshfile/meshfile.h"
 
-/* Checks the definition of a disk without the code under test: every half-edge occurs once; an
- * edge has at most two faces, in opposite directions; V - E + F = 1; the loop consists of all
+/* isdisk checks the definition of a disk without the code under test: every half-edge occurs once;
+ * an edge has at most two faces, in opposite directions; V - E + F = 1; the loop consists of all
  * half-edges without an opposite, is closed and begins at its lowest vertex.  A connected surface
  * with one boundary loop and Euler characteristic 1 is a disk. */
 static int
@@ -112,18 +112,18 @@ disks(void **state)
 	(void)state;
 	takes(SQUARE "f 1 2 3\n", 3, 1, 3, "1 unreferenced vertex dropped");
 	d = good("v 9 9 9\n" SQUARE "v 8 8 8\nf 4 5 2\nf 2 3 4\n", 4, 2, 4, "2 unreferenced vertices dropped");
-	assert_true(d.m.xyz[0] == 0 && d.m.xyz[3] == 1 && d.m.xyz[10] == 1);    /* in the order of the file */
+	assert_true(d.m.xyz[0] == 0 && d.m.xyz[3] == 1 && d.m.xyz[10] == 1);    /* order of the file */
 	assert_true(d.loop[0] == 0 && d.loop[1] == 1 && d.loop[3] == 3);        /* counterclockwise */
 	assert_true(fabs(mesh_area(&d.m) - 1) < 1e-15);
 	disk_free(&d);
 	takes(TETRA "f 1 3 2\nf 1 2 4\nf 2 3 4\n", 4, 3, 3, "");
 	takes("v 0 0 0\nv 1e-140 0 0\nv 0 1e-140 0\nf 1 2 3\n", 3, 1, 3, "");
 	takes("v 0 0 0\nv 1e140 0 0\nv 0 1e140 0\nf 1 2 3\n", 3, 1, 3, "");
-	takes("v 0 0 0\nv 1 0 0\nv .5 5e-8 0\nf 1 2 3\n", 3, 1, 3, "");         /* a sliver is a valid face */
+	takes("v 0 0 0\nv 1 0 0\nv .5 5e-8 0\nf 1 2 3\n", 3, 1, 3, "");         /* a sliver is valid */
 }
 
-/* The sum of the areas shows that a split covers the polygon once: an inverted or overlapping
- * triangle would make it larger. */
+/* Checks that a polygon is split into nf triangles of the right total area.  An inverted or
+ * overlapping triangle would make the total larger. */
 static void
 splits(const char *text, int nf, double area)
 {
@@ -145,17 +145,17 @@ polygons(void **state)
 
 	(void)state;
 	splits(SQUARE "f 1 2 3 4\n", 2, 1);
-	splits("v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 1 2 3 4\n", 2, 4);        /* concave at each corner */
+	splits("v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 1 2 3 4\n", 2, 4);        /* concave at corner 2 */
 	splits("v 0 4 0\nv 0 0 0\nv 4 0 0\nv 1 1 0\nf 1 2 3 4\n", 2, 4);
 	splits("v 1 1 0\nv 0 4 0\nv 0 0 0\nv 4 0 0\nf 1 2 3 4\n", 2, 4);
-	splits("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 2 0\nf 1 2 3 4\n", 2, 2);        /* a corner on an edge */
+	splits("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 2 0\nf 1 2 3 4\n", 2, 2);        /* three corners on a line */
 	splits("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 0 2 0\nf 1 2 3 4 5\n", 3, 3);
 	splits("v 0 0 0\nv 0 3 0\nv 0 3 3\nv 0 2 3\nv 0 2 1\nv 0 1 1\nv 0 1 3\nv 0 0 3\nf 1 2 3 4 5 6 7 8\n",
 	    6, 7);                                                              /* a U in the plane x = 0 */
 	splits("v 2 0 0\nv 1 1 0\nv 0 2 0\nv -1 1 0\nv -2 0 0\nv -1 -1 0\nv 0 -2 0\nv 1 -1 0\n"
 	    "f 1 2 3 4 5 6 7 8\n", 6, 8);
 	d = good("v 0 0 0\nv 5 0 0\nv 6 1 0\nv 1 1 0\nf 1 2 3 4\n", 4, 2, 4, "");
-	assert_true(d.m.tri[0] == 1 || d.m.tri[1] == 1 || d.m.tri[2] == 1);     /* the short diagonal 1-3 */
+	assert_true(d.m.tri[0] == 1 || d.m.tri[1] == 1 || d.m.tri[2] == 1);     /* cut along diagonal 1-3 */
 	assert_true(d.m.tri[0] == 3 || d.m.tri[1] == 3 || d.m.tri[2] == 3);
 	assert_true(d.m.tri[3] != 0 || d.m.tri[4] != 2);
 	disk_free(&d);
@@ -171,11 +171,11 @@ polygons(void **state)
 	refuses("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n", MESH_EFACE,  /* a bow tie */
 	    "face 0, of 4 corners, cannot be split into triangles of some area");
 	refuses("v 2102 1 0\nv -2 0 0\nv -1 -1 0\nv 0 -2 0\nv 1 -1 0\nf 2 3 4\n", MESH_EFACE,
-	    "face 0 has no area");              /* nor a triangle split off a polygon, found by fuzzing */
+	    "face 0 has no area");              /* found by fuzzing: no split may use this triangle */
 	d = good("v 2102 1 0\nv -2 0 0\nv -1 -1 0\nv 0 -2 0\nv 1 -1 0\nf 1 2 3 4 5\n", 5, 3, 5, "");
 	for (f = 0; f < 3; f++)
 		assert_false(d.m.tri[3*f] + d.m.tri[3*f+1] + d.m.tri[3*f+2] == 6 && d.m.tri[3*f] > 0 &&
-		    d.m.tri[3*f+1] > 0 && d.m.tri[3*f+2] > 0);      /* not 1 2 3 */
+		    d.m.tri[3*f+1] > 0 && d.m.tri[3*f+2] > 0);      /* not triangle 1 2 3 */
 	disk_free(&d);
 	refuses("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 4 0 0\nf 1 2 3 4 5\n", MESH_EFACE,
 	    "face 0, of 5 corners, cannot be split into triangles of some area");
@@ -193,7 +193,7 @@ repairs(void **state)
 	takes(SQUARE "f 1 2 3\nf 4 3 1\n", 4, 2, 4, "1 of 2 faces were turned to agree with the rest");
 	d = good(TETRA "f 1 2 3\nf 1 2 4\nf 2 3 4\n", 4, 3, 3,
 		"1 of 3 faces were turned to agree with the rest");
-	assert_int_equal(d.m.tri[1], 2);        /* the first face, though CGAL begins at this one */
+	assert_int_equal(d.m.tri[1], 2);        /* the first face is turned */
 	disk_free(&d);
 }
 
@@ -206,12 +206,12 @@ refusals(void **state)
 	refuses("v 0 0 0\n", MESH_EDISK, "no faces");
 	refuses(TETRA "v 9 9 9\nf 1 2 3\nf 2 1 4\nf 1 2 5\n", MESH_EMANIFOLD, "edge 0-1 belongs to 3 faces");
 	refuses("v 9 9 9\n" TETRA "v 0 -1 -1\nf 2 3 4\nf 3 2 5\nf 2 3 6\n", MESH_EMANIFOLD,
-	    "edge 1-2 belongs to 3 faces");     /* numbers of the file, though one face was dropped */
+	    "edge 1-2 belongs to 3 faces");     /* the numbers are those of the file */
 	refuses(TETRA "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n", MESH_EDISK, "closed surface: no boundary");
 	refuses(SQUARE "v 5 0 0\nv 6 0 0\nv 6 1 0\nf 1 2 3\nf 1 3 4\nf 5 6 7\n", MESH_EDISK,
 	    "2 components, a disk is one");
 	refuses(SQUARE "v 5 0 0\nv 6 0 0\nv 6 1 0\nf 1 2 3\nf 5 6 7\n", MESH_EDISK,
-	    "2 components, a disk is one");     /* a soup without equal positions */
+	    "2 components, a disk is one");     /* no equal positions: nothing to weld */
 	refuses("v 0 0 0\nv 1 0 0\nv 1 1 0\nv -1 0 0\nv -1 -1 0\nf 1 2 3\nf 1 4 5\n", MESH_EMANIFOLD,
 	    "vertex 0 is pinched: 2 fans of faces meet there");
 	refuses("v 0 0 0\nv 1 0 0\nv 1 1 0\nv -1 0 0\nv -1 -1 0\nv 0 1 1\nv 0 2 1\nf 1 2 3\nf 1 4 5\nf 1 6 7\n",
@@ -223,7 +223,8 @@ refusals(void **state)
 	    "surface is one-sided: no orientation agrees across edge");
 }
 
-/* A torus of 4 x 4 quads without one: a single loop, chi = -1. */
+/* A torus of 4 x 4 quads without one of them has a single boundary loop but a handle, and is
+ * refused. */
 static void
 handles(void **state)
 {
@@ -243,7 +244,7 @@ handles(void **state)
 	refuses(text, MESH_EDISK, "genus 1: a disk has no handles");
 }
 
-/* Soups that a file reader refuses to produce. */
+/* Invalid soups, which no file reader returns, are refused. */
 static void
 raw_soups(void **state)
 {
@@ -265,10 +266,11 @@ raw_soups(void **state)
 	xyz[4] = 0;
 	assert_int_equal(disk_from_soup(&d, &s), 0);
 	disk_free(&d);
-	disk_free(&d);          /* twice is allowed */
+	disk_free(&d);          /* a second call is allowed */
 }
 
-/* A grid of n x n squares in random order, with random faces flipped, is repaired. */
+/* A lattice of N x N squares, with its faces in random order and some of them flipped, is
+ * repaired. */
 static void
 shuffled(void **state)
 {
@@ -305,7 +307,7 @@ shuffled(void **state)
 	disk_free(&d);
 }
 
-/* STL has no shared vertices: its triangles are welded again. */
+/* An STL file has no shared vertices: after reading, the triangles are welded to the same disk. */
 static void
 stl_welds(void **state)
 {
@@ -326,8 +328,8 @@ stl_welds(void **state)
 	disk_free(&back);
 }
 
-/* Each vertex of the disk has the position of its vertex of the soup and of all vertices welded
- * to it, of which its number is the lowest. */
+/* Checks file and became: each vertex of the disk has the position of all vertices of the soup that
+ * became it, and file[] is the lowest of their numbers. */
 static void
 traces(const Disk *d, const Soup *s)
 {
@@ -372,7 +374,7 @@ origins(void **state)
 	}
 }
 
-/* Every face and the loop are reversed; flipping twice changes nothing. */
+/* disk_flip reverses every face and the loop; flipping twice restores the disk. */
 static void
 flips(void **state)
 {
@@ -399,7 +401,7 @@ flips(void **state)
 	disk_free(&d);
 }
 
-/* (u,v) are copied to the soup's vertices, clamped to the rectangle. */
+/* disk_uv_to_soup copies (u,v) to the vertices of the soup, clamped to the rectangle. */
 static void
 uv_to_soup(void **state)
 {
@@ -424,7 +426,7 @@ uv_to_soup(void **state)
 	assert_int_equal(s.channels.n, 0);
 }
 
-/* The file of the mesh folder as bytes, or NULL. */
+/* The bytes of a file in the folder of test meshes, or NULL if it cannot be opened. */
 static char *
 slurp(const char *name, size_t *n)
 {
@@ -472,7 +474,8 @@ real(const char *name, Disk *d, char why[MESH_ERRLEN])
 	return e;
 }
 
-/* V, F and B as counted by two other programs (MANIFEST.md of the folder). */
+/* The numbers of vertices, faces and boundary edges are those counted by two other programs, see
+ * MANIFEST.md of the folder. */
 static void
 real_disks(void **state)
 {

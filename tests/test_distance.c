@@ -1,4 +1,5 @@
-/* test_distance.c - distance.h and gridmesh.h on surfaces whose distance is known. */
+/* test_distance.c - distance.h: known distances of surfaces, and crossing faces; gridmesh.h: the
+ * faces of a grid. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -37,7 +38,7 @@ move(Mesh *m, double x, double y, double z)
 	}
 }
 
-/* The symmetric Hausdorff distance. */
+/* The Hausdorff distance up to `error`; checks that it is symmetric. */
 static double
 hausdorff(const Mesh *a, const Mesh *b, double error)
 {
@@ -58,7 +59,7 @@ crossings(const Mesh *m)
 	return pairs;
 }
 
-/* A grid of nu x nv nodes over [0,3] x [0,2], with height f. */
+/* The mesh of a grid of nu x nv nodes on the graph of f over [0,3] x [0,2]. */
 static Mesh
 grid(int nu, int nv, double (*f)(double x, double y))
 {
@@ -107,8 +108,8 @@ same_surface_is_at_zero(void **state)
 	mesh_free(&b);
 }
 
-/* Another triangulation of the same plane has distance 0.  CGAL is slow here for small error
- * bounds, see distance.h. */
+/* Two triangulations of the same plane rectangle have distance 0.  The error bound is large because
+ * CGAL is slow here for small ones, see distance.h. */
 static void
 triangulation_does_not_matter(void **state)
 {
@@ -120,7 +121,8 @@ triangulation_does_not_matter(void **state)
 	mesh_free(&b);
 }
 
-/* A plane moved along its normal or in itself has the distance of the move. */
+/* If a plane rectangle is translated along its normal or in its own plane, the distance is the
+ * length of the translation. */
 static void
 moved_plane(void **state)
 {
@@ -135,8 +137,8 @@ moved_plane(void **state)
 	mesh_free(&b);
 }
 
-/* A small square in the middle of a large one: from the small to the large one the distance is 0,
- * back it is that of the corners.  Only the symmetric distance includes it. */
+/* A small rectangle inside a large one: from the small to the large one the distance is 0, in the
+ * other direction it is 3.  distance_hausdorff returns the larger of both. */
 static void
 hausdorff_distance_is_symmetric(void **state)
 {
@@ -148,8 +150,8 @@ hausdorff_distance_is_symmetric(void **state)
 	mesh_free(&b);
 }
 
-/* The farthest point may be inside a face: a triangle against a pyramid over it with the same
- * corners. */
+/* The distance is right if the farthest point is inside a face: a triangle compared with a pyramid
+ * over it. */
 static void
 inside_of_a_face(void **state)
 {
@@ -162,7 +164,7 @@ inside_of_a_face(void **state)
 	assert_true(fabs(hausdorff(&a, &b, 1e-5) - 0.5) <= 1e-5);
 }
 
-/* Concentric caps of the same opening angle: 0.1 apart, up to the facets. */
+/* Concentric spherical caps of radii 1 and 1.1 are 0.1 apart, up to the error of the facets. */
 static void
 concentric_spheres(void **state)
 {
@@ -184,7 +186,7 @@ vertices_by_number(void **state)
 	move(&b, 3, 0, 4);
 	distance_vertices(&a, &b, &max, &mean);
 	assert_true(fabs(max - 5) < 1e-12 && fabs(mean - 5) < 1e-12);
-	b.xyz[3*7] += 12;       /* vertex 7 is moved to a distance of (15, 0, 4) */
+	b.xyz[3*7] += 12;       /* vertex 7 differs by (15, 0, 4) */
 	distance_vertices(&a, &b, &max, &mean);
 	assert_true(fabs(max - sqrt(241)) < 1e-12);
 	assert_true(fabs(mean - (19*5 + sqrt(241))/20) < 1e-12);
@@ -204,8 +206,8 @@ smooth_disks_do_not_cross(void **state)
 	mesh_free(&b);
 }
 
-/* Two squares of two faces each that cross along a line: in the first case through the diagonals
- * of both, so that each face crosses each; in the second far from the diagonals. */
+/* Two squares of two faces each, in planes at right angles: first they cross, then the second one
+ * is moved away and nothing crosses. */
 static void
 crossing_squares(void **state)
 {
@@ -229,12 +231,12 @@ folded_face_crosses(void **state)
 
 	(void)state;
 	assert_int_equal(crossings(&a), 0);
-	a.xyz[3*(3*9 + 4)] += 1;        /* folded onto its neighbours, in the same plane */
+	a.xyz[3*(3*9 + 4)] += 1;        /* folded onto its neighbours in the same plane */
 	assert_true(crossings(&a) > 0);
 	mesh_free(&a);
 }
 
-/* Faces without area are left out, without an error. */
+/* Faces without area are ignored; a mesh that has only such faces is an error. */
 static void
 faces_of_no_area_are_left_out(void **state)
 {
@@ -262,7 +264,8 @@ edge_of_three_faces(void **state)
 	assert_int_equal(distance_crossings(&m, &pairs), DISTANCE_EEDGE);
 }
 
-/* Numbering, number and area of the faces; their normals point along phi_u x phi_v. */
+/* mesh_from_grid keeps the numbers of the nodes, makes two faces of each cell, and turns their
+ * normals along phi_u x phi_v. */
 static void
 grid_mesh(void **state)
 {
@@ -287,7 +290,7 @@ grid_mesh(void **state)
 	mesh_free(&m);
 }
 
-/* No cell is cut along its longer diagonal. */
+/* Every cell is cut along its shorter diagonal. */
 static void
 grid_mesh_takes_the_shorter_diagonal(void **state)
 {
@@ -304,7 +307,7 @@ grid_mesh_takes_the_shorter_diagonal(void **state)
 		sub3(m.xyz + 3*(p+1), m.xyz + 3*(p+nu), d);
 		bd = norm3(d);
 		for (cut = i = 0, t = m.tri + 3*f; i < 6; i++)
-			cut += t[i] == p;       /* node a is in both faces if the cut is ac */
+			cut += t[i] == p;       /* both faces contain a if cut along ac */
 		assert_int_equal(cut, ac <= bd ? 2 : 1);
 	}
 	mesh_free(&m);

@@ -1,4 +1,5 @@
-/* test_frame.c - the frame method returns the surface whose lambda and H it was given. */
+/* test_frame.c - frame.h: the frame method reconstructs a surface from its lambda, its H and a band
+ * of nodes along the border. */
 #include "cmock.h"
 
 #include "../lib/surface/frame.h"
@@ -18,8 +19,8 @@ in_band(Chart g, int p)
 	return i < FRAME_BAND || j < FRAME_BAND || i >= g.nu - FRAME_BAND || j >= g.nv - FRAME_BAND;
 }
 
-/* Reconstructs from lambda, H and the band only; returns the largest distance to the exact
- * surface. */
+/* Reconstructs the surface from lambda, H and the nodes of the band alone.  Returns the largest
+ * distance of a node from its true position. */
 static double
 reconstruct(Chart g)
 {
@@ -91,7 +92,8 @@ free_of_the_unit_of_length(void **state)
 	assert_true(fabs(from_truth(enneper, COARSE, 1e-4)*1e4 - one) < 1e-9);
 }
 
-/* The sign of H decides the side to which the surface bends: a wrong sign must show. */
+/* The sign of H decides to which side the surface bends: with the wrong sign the error must be
+ * large. */
 static void
 sign_of_H_matters(void **state)
 {
@@ -104,8 +106,8 @@ sign_of_H_matters(void **state)
 	assert_true(reconstruct(COARSE) > 20*right);
 }
 
-/* The pair is orthogonal, of length lambda, and nearest: rotating it a little about any axis
- * brings it farther away. */
+/* frame_make_conformal returns two orthogonal vectors of length lambda that are nearest to the
+ * given ones: rotating them a little about any axis increases the distance. */
 static void
 nearest_conformal_pair(void **state)
 {

@@ -1,4 +1,5 @@
-/* test_gradient.c - gradient.h: exact on polynomials, orders of convergence, and the limits. */
+/* test_gradient.c - gradient.h, derivatives fitted at the vertices: they are exact on polynomials,
+ * converge with the right order, and keep their limits. */
 #include "cmock.h"
 
 #ifdef _OPENMP
@@ -7,15 +8,15 @@
 
 #include "charted.h"
 
-/* The five derivatives as one array of 15. */
+/* The five derivatives of a jet, three coordinates each, as one array of 15 numbers. */
 static const double *
 flat(const Jet *j)
 {
 	return (const double *)j;
 }
 
-/* Largest error of the derivatives of order 1 and 2 over all vertices, those of order k
- * in units of su^a sv^b, a + b = k. */
+/* The largest error over all vertices of the first derivatives, e[0], and of the second, e[1].  The
+ * chart has (u,v) divided by (su,sv), so its derivatives are divided by su^a sv^b first. */
 static void
 errors(const Charted *s, Surface *f, double su, double sv, double e[2])
 {
@@ -34,7 +35,8 @@ errors(const Charted *s, Surface *f, double su, double sv, double e[2])
 	}
 }
 
-/* For any triangles, and any unit and aspect ratio of u and v. */
+/* The derivatives of cubics are exact on random triangles, for any unit and aspect ratio of u and
+ * v. */
 static void
 cubics_are_exact(void **state)
 {
@@ -60,8 +62,8 @@ cubics_are_exact(void **state)
 	}
 }
 
-/* At the worst vertex, including the boundary, first derivatives converge with third order,
- * second ones with second. */
+/* At the worst vertex, boundary vertices included, first derivatives converge with third order and
+ * second derivatives with second order. */
 static void
 orders(void **state)
 {
@@ -83,7 +85,8 @@ orders(void **state)
 	charted_free(&t);
 }
 
-/* With too few points for a cubic, the highest degree that they determine. */
+/* With too few points for a cubic, a polynomial of lower degree is fitted, here a linear one; a
+ * mesh without vertices is no error. */
 static void
 small_meshes(void **state)
 {
@@ -110,7 +113,8 @@ small_meshes(void **state)
 	free(s.u), free(s.v), free(s.jet);
 }
 
-/* A single row of points on a slanted line: the derivative along it, none across. */
+/* If all points lie on one line of the (u,v) plane, the derivative along it is right and the
+ * derivative across it is 0. */
 static void
 collinear_points(void **state)
 {
@@ -134,8 +138,8 @@ collinear_points(void **state)
 	charted_free(&s);
 }
 
-/* Three rows of points, not quite straight: they do not determine the third derivative across,
- * and its noise must not spoil the other derivatives. */
+/* Three rows of points that are not quite straight hardly determine the third derivative across
+ * them; its error must not spoil the other derivatives. */
 static void
 thin_strip(void **state)
 {
@@ -164,8 +168,8 @@ thin_strip(void **state)
 	charted_free(&s);
 }
 
-/* On degenerate input the limits of the header hold and are needed; derivatives beyond them are
- * scaled, not set to 0. */
+/* On degenerate input the derivatives keep the limits stated in gradient.h.  Many would exceed
+ * them, and most of these are scaled down, not set to 0. */
 static void
 limits_hold(void **state)
 {
@@ -200,7 +204,7 @@ limits_hold(void **state)
 	}
 }
 
-/* z -> z^2, a conformal map at a corner: exact, and nowhere limited. */
+/* The conformal map z -> z^2, whose derivative vanishes at the corner 0. */
 static void
 square(double u, double v, double phi[3], Jet *j)
 {
@@ -208,7 +212,8 @@ square(double u, double v, double phi[3], Jet *j)
 	*j = (Jet){ { 2*u, 2*v, 0 }, { -2*v, 2*u, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { -2, 0, 0 } };
 }
 
-/* Nothing is limited there, nor on surfaces of few triangles. */
+/* No derivative is limited on z^2, where they are also exact, nor on smooth surfaces, even with few
+ * triangles. */
 static void
 smooth_surfaces_are_not_limited(void **state)
 {
@@ -265,7 +270,7 @@ follows_motion_and_scale(void **state)
 	charted_free(&t);
 }
 
-/* A vertex of very many triangles, and one of none. */
+/* The derivatives are right at a vertex of very many triangles, and 0 at a vertex of none. */
 static void
 vertex_of_many_triangles(void **state)
 {
@@ -319,7 +324,8 @@ same_for_any_number_of_threads(void **state)
 #endif
 }
 
-/* Of a hub's many triangles only some are visited.  Which ones depends on the chart alone. */
+/* At a vertex of many triangles only some of them are used.  Which ones depends on the chart, not
+ * on the numbering of the triangles. */
 static void
 hub_does_not_depend_on_numbering(void **state)
 {

@@ -1,4 +1,5 @@
-/* test_gridmesh.c - gridmesh.h: faces of a grid whose nodes coincide or lie on lines. */
+/* test_gridmesh.c - gridmesh_part: it removes faces without area from the mesh of a grid whose
+ * nodes coincide or are collinear. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -15,7 +16,7 @@ enum { NU = 9, NV = 7, N = NU*NV };
 
 static double phi[3][N];
 
-/* A bent sheet, about 2 wide, at x = y = z = offset. */
+/* A curved surface about 2 wide, translated by `offset` in x, y and z. */
 static void
 sheet(double offset)
 {
@@ -51,7 +52,8 @@ flat_faces(const Mesh *m)
 	return n;
 }
 
-/* The number of faces without area before and after, and the largest distance that a node moved. */
+/* Calls gridmesh_part.  Returns the number of faces without area that are left; *before gets their
+ * number before the call, *moved the largest change of a coordinate. */
 static int
 part(int single, int *before, double *moved)
 {
@@ -87,7 +89,8 @@ sound_grids_stay(void **state)
 	assert_true(moved == 0);
 }
 
-/* Three nodes of a cell on a line, its shorter diagonal among them. */
+/* If three nodes of a cell are collinear, cutting it along the other diagonal avoids a face without
+ * area, and no node moves. */
 static void
 the_other_diagonal_helps(void **state)
 {
@@ -96,7 +99,7 @@ the_other_diagonal_helps(void **state)
 
 	(void)state;
 	sheet(0);
-	for (c = 0; c < 3; c++) {       /* node (3,2) halfway between (3,3) and (4,2), (4,3) far off */
+	for (c = 0; c < 3; c++) {       /* node (3,2) halfway from (3,3) to (4,2), (4,3) far */
 		phi[c][2*NU + 3] = (phi[c][3*NU + 3] + phi[c][2*NU + 4])/2;
 		phi[c][3*NU + 4] += 2*(phi[c][3*NU + 4] - phi[c][2*NU + 3]);
 	}
@@ -105,8 +108,8 @@ the_other_diagonal_helps(void **state)
 	assert_true(moved == 0);
 }
 
-/* Pairs at a corner, on a side and inside, a cell, and a block of 16 nodes: moved by less than
- * the width of a cell times 1/1024 for each ring of the block. */
+/* Coinciding pairs of nodes at a corner, on a side and inside, and a block of 4 x 4 coinciding
+ * nodes, are moved apart, and only by a small part of the width of a cell. */
 static void
 coinciding_nodes_are_parted(void **state)
 {
@@ -129,7 +132,8 @@ coinciding_nodes_are_parted(void **state)
 	assert_true(moved < .01);
 }
 
-/* Nodes that coincide in floats: two neighbours, and two nodes far from each other. */
+/* Nodes that differ as doubles but coincide as floats are moved apart if the mesh is written in
+ * single precision: two neighbours, and two nodes far from each other in the grid. */
 static void
 floats_are_parted(void **state)
 {
@@ -160,7 +164,7 @@ what_has_no_area_is_told(void **state)
 	memset(phi[0], 0, sizeof phi[0]);
 	memset(phi[2], 0, sizeof phi[2]);
 	assert_int_equal(part(0, &before, &moved), 2*(NU-1)*(NV-1));
-	sheet(1e12);                            /* cells below the rounding of floats */
+	sheet(1e12);                            /* cells smaller than the rounding of floats */
 	assert_true(part(1, &before, &moved) > 0);
 }
 

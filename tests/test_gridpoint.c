@@ -1,5 +1,5 @@
-/* test_gridpoint.c - gridpoint.h: polynomials, smooth surfaces and rough data between the nodes;
- * (u,v) that are refused. */
+/* test_gridpoint.c - gridpoint.h, interpolation between the nodes of a grid: polynomials, smooth
+ * surfaces, rough data; and (u,v) that are refused. */
 #include "cmock.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@
 
 typedef double Function(double u, double v, int c);
 
-/* A grid that holds f(u,v,c). */
+/* Allocates phi and sets it to f(u,v,c) at the nodes. */
 static void
 fill(Chart g, Function *f, double *phi[3])
 {
@@ -33,7 +33,7 @@ drop(double *phi[3])
 		free(phi[c]);
 }
 
-/* The largest error at n x m places, including the border. */
+/* The largest error of interpolation at (n+1) x (m+1) points, which include the border. */
 static double
 worst(Chart g, Function *f, int n, int m)
 {
@@ -76,7 +76,7 @@ smooth(double u, double v, int c)
 	return c == 0 ? sin(4*u + v) : c == 1 ? exp(u)*cos(3*v) : 1/(1 + u + 2*v*v);
 }
 
-/* White noise, a function of the node number. */
+/* Pseudo-random numbers in [0,1) that depend only on u, v and c. */
 static double
 rough(double u, double v, int c)
 {
@@ -110,7 +110,7 @@ nodes_are_kept(void **state)
 	assert_true(worst(g, smooth, g.nu - 1, g.nv - 1) < 1e-14);
 }
 
-/* The border is as accurate as the inside: the order is that of the largest error. */
+/* The largest error is of fourth order, so the border is as accurate as the inside. */
 static void
 fourth_order(void **state)
 {
@@ -123,7 +123,7 @@ fourth_order(void **state)
 	assert_true(e[0] < 1e-3 && e[0]/e[1] > 13 && e[1]/e[2] > 14);
 }
 
-/* Even for rough data the slopes from both sides of a node line agree. */
+/* First derivatives are continuous across the grid lines, even for rough data. */
 static void
 slopes_agree(void **state)
 {
@@ -145,7 +145,8 @@ slopes_agree(void **state)
 	drop(phi);
 }
 
-/* The vertices of a mesh of four vertices, from their (u,v); T is known or 0. */
+/* Moves four vertices with the given (u,v) to their points on the grid.  T is the height of the
+ * chart to which uv belong, or 0 if it is unknown. */
 static int
 moved(Chart g, const double *const phi[3], double T, const double uv[8], double x[12], double to[8],
 	int *at)
@@ -179,16 +180,16 @@ meshes_are_moved(void **state)
 	assert_int_equal(moved(g, phi, 2, uv, x, to, &at), 0);          /* v = 0.4 of 2 is 0.1 of 0.5 */
 	for (c = 0; c < 3; c++)
 		assert_true(fabs(x[c] - cubic(0.3, 0.1, c)) < 1e-14);
-	uv[7] = 2;                      /* the top stays the top */
+	uv[7] = 2;                      /* the top of one chart is the top of the other */
 	assert_int_equal(moved(g, phi, 2, uv, x, to, &at), 0);
 	gridpoint(g, 3, phi, 0.5, 0.5, want);
 	assert_true(to[7] == 0.5 && x[9] == want[0]);
-	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);     /* unit: the grid */
+	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);     /* v > g.T */
 	assert_int_equal(at, 3);
 	uv[7] = 0.5, uv[4] = 1.00001;
 	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);
 	assert_int_equal(at, 2);
-	uv[4] = -1;                     /* one of the two is missing */
+	uv[4] = -1;                     /* v without u */
 	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);
 	uv[4] = NAN;
 	assert_int_equal(moved(g, phi, 0, uv, x, to, &at), GRIDPOINT_EOUT);

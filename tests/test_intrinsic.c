@@ -1,5 +1,5 @@
-/* test_intrinsic.c - intrinsic triangulations: Delaunay, of the same surface, and crossed by mesh
- * edges where these cross them in the plane. */
+/* test_intrinsic.c - intrinsic triangulations: they are Delaunay and keep the surface; in the plane
+ * their crossings with mesh edges are the true ones. */
 #include "cmock.h"
 
 #include <math.h>
@@ -51,7 +51,7 @@ angle_sums(const Intrinsic *t)
 	return sum;
 }
 
-/* Each side has its twin, its edge and the ends of both. */
+/* Checks that from, twin, edge and side agree with each other. */
 static void
 check_sides(const Intrinsic *t)
 {
@@ -73,7 +73,8 @@ check_sides(const Intrinsic *t)
 		assert_int_equal(t->edge[t->side[e]], e);
 }
 
-/* Checks that cot a + cot b >= 0, up to `small`; for needles, up to this share of their cotangents. */
+/* Checks that cot a + cot b >= 0 for the two angles opposite to each inner edge, up to `small`
+ * times max(1, |cot a| + |cot b|). */
 static void
 check_delaunay(const Intrinsic *t, double small)
 {
@@ -136,7 +137,8 @@ delaunay_keeps_the_surface(void **state)
 	}
 }
 
-/* Disks with needles, whose angles have larger rounding errors. */
+/* The flips also reach a Delaunay triangulation on disks with needles, whose angles have larger
+ * rounding errors. */
 static void
 delaunay_with_needles(void **state)
 {
@@ -183,7 +185,7 @@ mollified_triangles_have_area(void **state)
 	disk_free(&d);
 }
 
-/* A disk in the plane that is far from Delaunay: sheared, and stretched tenfold. */
+/* Shears the disk and stretches it tenfold, so that its triangulation is far from Delaunay. */
 static void
 shear(Disk *d)
 {
@@ -202,7 +204,8 @@ orientation(const double *a, const double *b, const double *c)
 	return (b[0] - a[0])*(c[1] - a[1]) - (b[1] - a[1])*(c[0] - a[0]);
 }
 
-/* A crossing of edge e of the triangulation. */
+/* A crossing of an edge of the intrinsic triangulation with edge number `mesh` of the mesh; on_edge
+ * and on_mesh are its positions on both, from 0 to 1. */
 typedef struct PlaneCrossing {
 	int    mesh;
 	double on_edge, on_mesh;
@@ -216,7 +219,8 @@ along_edge(const void *a, const void *b)
 	return p->on_edge < q->on_edge ? -1 : p->on_edge > q->on_edge;
 }
 
-/* The crossings of edge e with all edges of the mesh, in the plane.  Returns their number. */
+/* Finds the crossings of edge e with all edges of the mesh, for a disk in the plane, where all
+ * edges are straight.  Returns their number. */
 static int
 cross_all(const Intrinsic *t, const Disk *d, int e, PlaneCrossing *c)
 {
@@ -238,7 +242,7 @@ cross_all(const Intrinsic *t, const Disk *d, int e, PlaneCrossing *c)
 	return n;
 }
 
-/* Returns the number of crossings. */
+/* Checks lengths and crossings on a disk in the plane.  Returns the number of crossings. */
 static size_t
 check_plane(const Disk *d)
 {
@@ -307,7 +311,7 @@ crossings_of_the_plane(void **state)
 
 		if (disks_random(seed, DISKS_FLAT, &d, tag))
 			continue;
-		/* squares: edges would go through vertices */
+		/* not on lattices of squares, where edges could pass through vertices */
 		if (d.m.nf < 1000 && strncmp(tag, "grid", 4) != 0) {
 			shear(&d);
 			all += check_plane(&d);
@@ -317,7 +321,7 @@ crossings_of_the_plane(void **state)
 	assert_true(all > 1000);
 }
 
-/* The pieces of a triangle use up the crossings of its sides. */
+/* The pieces into which mesh edges divide a triangle account for all crossings of its sides. */
 static void
 pieces_use_all_crossings(void **state)
 {
@@ -343,7 +347,7 @@ pieces_use_all_crossings(void **state)
 	disk_free(&d);
 }
 
-/* The edges as pairs of vertices, smaller number first. */
+/* An edge as its two vertices, the smaller number first. */
 typedef struct Pair {
 	int a, b;
 } Pair;
@@ -356,7 +360,8 @@ by_vertices(const void *a, const void *b)
 	return p->a != q->a ? (p->a < q->a ? -1 : 1) : (p->b > q->b) - (p->b < q->b);
 }
 
-/* number: of each vertex, or NULL. */
+/* The sorted edges of the Delaunay triangulation.  If number is not NULL, number[i] stands for
+ * vertex i. */
 static Pair *
 edges_of(const Disk *d, const double *key, const int *number, int *ne)
 {
@@ -379,7 +384,7 @@ edges_of(const Disk *d, const double *key, const int *number, int *ne)
 	return pair;
 }
 
-/* A number at each vertex that depends on its place alone. */
+/* A key for each vertex that depends only on its position. */
 static double *
 keys_of(const Disk *d)
 {
@@ -418,7 +423,7 @@ check_order(const Disk *d, uint64_t seed, int keys)
 	disk_free(&one), disk_free(&two);
 }
 
-/* Unit squares, each with a random diagonal. */
+/* A lattice of unit squares, each cut along a random diagonal. */
 static void
 make_squares(int nx, int ny, uint64_t seed, Disk *d)
 {
@@ -439,7 +444,7 @@ make_squares(int nx, int ny, uint64_t seed, Disk *d)
 	free(tri);
 }
 
-/* A regular polygon of n vertices as triangles, each time an ear cut off by lot. */
+/* A regular polygon of n vertices, triangulated by cutting off random ears. */
 static void
 make_polygon(int n, uint64_t seed, Disk *d)
 {
@@ -460,7 +465,8 @@ make_polygon(int n, uint64_t seed, Disk *d)
 	free(xyz), free(tri), free(left);
 }
 
-/* All diagonals of a polygon are equally good: the keys alone decide, wherever the flips begin. */
+/* All triangulations of a regular polygon are Delaunay.  The keys alone decide which one the flips
+ * reach, whichever they start from. */
 static void
 order_of_flips_does_not_matter(void **state)
 {
@@ -514,7 +520,7 @@ order_of_the_mesh_does_not_matter(void **state)
 	}
 }
 
-/* Whether the disk has the side from a to b, or from b to a. */
+/* Whether the disk has an edge between a and b. */
 static int
 has_edge(const Disk *d, int a, int b)
 {
@@ -529,7 +535,7 @@ has_edge(const Disk *d, int a, int b)
 	return 0;
 }
 
-/* cot a + cot b of the angles opposite to the side, from the positions of vertices. */
+/* cot a + cot b of the two angles opposite to half-edge h, from the positions of the vertices. */
 static double
 cotangents(const Disk *d, int h)
 {

@@ -1,5 +1,5 @@
-/* test_intrinsicmap.c - the map of any disk: known moduli, random disks, and disks that are moved,
- * scaled and renumbered.  With SOAK set, more of the random ones. */
+/* test_intrinsicmap.c - intrinsicmap.h: known moduli, random disks, and disks that are moved,
+ * scaled and renumbered.  If SOAK is set, more random disks are tested. */
 #include "cmock.h"
 
 #include <math.h>
@@ -27,8 +27,8 @@ map(const char *kind, int n, AdaptOptions o, double *T, IntrinsicMap *m)
 	disk_free(&d);
 }
 
-/* Triangles of t with the sides of u, v in order and their (u,v) area: none below -1e-14 T, T in
- * all. */
+/* Checks that no triangle is flipped in (u,v), up to rounding, and that the areas in (u,v) add up
+ * to T, the area of the rectangle. */
 static void
 check_image(const IntrinsicMap *m)
 {
@@ -115,7 +115,8 @@ grid_of(const Disk *d, const int vertex[4], int surface, int polish, Conformal *
 	assert_int_equal(conformal_grid(d, corner, g, &options, c, &report), 0);
 }
 
-/* Corners by shape, or for every third seed four random vertices of the boundary, if wanted. */
+/* Chooses the corners by shape; if `random`, then for every third seed four random vertices of the
+ * boundary. */
 static void
 choose_corners(const Disk *d, uint64_t seed, int random, int vertex[4])
 {
@@ -146,7 +147,7 @@ finite(const Conformal *c)
 	return 1;
 }
 
-/* The map on the intrinsic triangulation, whether the disk needs it or not. */
+/* Checks the map on the intrinsic triangulation, whether or not the disk needs it. */
 static void
 check_intrinsic(const Disk *d, const int vertex[4])
 {
@@ -159,8 +160,8 @@ check_intrinsic(const Disk *d, const int vertex[4])
 	intrinsic_map_free(&m);
 }
 
-/* Seeds of disks that take seconds or minutes: needles and doubled points far from the origin,
- * fans.  34 is refused (SPD_EINDEFINITE). */
+/* Whether the disk of this seed takes seconds or minutes: it is a fan, or it has needles or nearly
+ * equal points and is far from the origin.  Seed 34 is refused (SPD_EINDEFINITE). */
 static int
 is_slow(uint64_t seed)
 {
@@ -170,7 +171,7 @@ is_slow(uint64_t seed)
 	return seed < 256 && memchr(slow, (int)seed, sizeof slow) != NULL;
 }
 
-/* No disk is refused, whatever its triangles. */
+/* Random disks with bad triangles are mapped: the grid is finite and the certificate small. */
 static void
 random_disks_are_mapped(void **state)
 {
@@ -202,7 +203,8 @@ random_disks_are_mapped(void **state)
 	assert_true(soak || seed <= 100);
 }
 
-/* x = scale (rotation about (1,2,2)/3 by `angle`) x + offset. */
+/* A similarity: x is rotated about (1,2,2)/3 by `angle`, multiplied by scale and translated by
+ * offset. */
 typedef struct Motion {
 	double angle, scale, offset[3];
 } Motion;
@@ -228,8 +230,8 @@ copy(const Disk *d, Disk *other)
 	assert_int_equal(disks_of(d->m.nv, d->m.xyz, d->m.nf, d->m.tri, other), 0);
 }
 
-/* The mean distance of the nodes of b from those of a as m moves them, over its sqrt(area);
- * turned: b is the grid of corners rotated by two. */
+/* The mean distance of the nodes of b from those of a moved by m, relative to the size of the moved
+ * disk.  If `turned`, the first corner of b is the third of a. */
 static double
 deviation(const Conformal *a, const Conformal *b, const Motion *m, int turned, double size)
 {
@@ -251,8 +253,9 @@ deviation(const Conformal *a, const Conformal *b, const Motion *m, int turned, d
 
 enum { RENUMBERED, REORDERED, ROTATED, FAR, SMALL, LARGE, TURNED, CASES };
 
-/* The deviation of the grid of the same disk, moved, scaled, renumbered or turned: of the facets, as the
- * map gives it; or of the smooth surface, polished. */
+/* The deviation between the grids of a disk and of the same disk renumbered, moved, scaled, or with
+ * its corners in another order.  The grids are on the facets without polishing, or on the smooth
+ * surface with polishing. */
 static double
 deviation_of(const Disk *d, const int vertex[4], int what, int surface, uint64_t seed)
 {

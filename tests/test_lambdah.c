@@ -1,4 +1,4 @@
-/* test_lambdah.c - lambdah.h against surfaces whose lambda and H are known. */
+/* test_lambdah.c - lambdah.h on surfaces whose lambda and H are known. */
 #include "cmock.h"
 
 #include "../lib/grid/lambdah.h"
@@ -26,8 +26,8 @@ error(Immersion *f, Chart g, double s)
 	return (Err){ largest(g.nu*g.nv, lambda, lambda0), largest(g.nu*g.nv, H, H0) };
 }
 
-/* Second order, the outermost ring included: halving h and k divides the error by 4, here
- * at least by 3. */
+/* lambda and H are of second order, also on the border: halving h and k divides the error by about
+ * 4; the test requires 3. */
 static void
 converges(Immersion *f)
 {
@@ -67,7 +67,8 @@ scales_with_the_surface(void **state)
 	assert_true(error(stereo, COARSE, 1e-3).lambda*1e3 < 5e-3);
 }
 
-/* Rotated about (1,2,2)/3 by 1 radian and moved. */
+/* lambda and H do not change when the surface is rotated by 1 radian about (1,2,2)/3 and
+ * translated. */
 static void
 motions_change_nothing(void **state)
 {
@@ -90,7 +91,8 @@ motions_change_nothing(void **state)
 	assert_true(largest(COARSE.nu*COARSE.nv, H, H0) < 1e-8);
 }
 
-/* The Laplacian has no tangential part on a conformal grid, and has one on a sheared grid. */
+/* On a conformal grid the Laplacian of phi has no tangential part, so LAMBDAH_MAGNITUDE and
+ * LAMBDAH_NORMAL give the same H. */
 static void
 magnitude_agrees_where_conformal(void **state)
 {
@@ -107,7 +109,8 @@ sheared(double u, double v)
 	return (Node){ { u + v, v, 0 }, 0, 0 };
 }
 
-/* phi = (u+v, v, 0): E = 1, F = 1, G = 2, so |mu|^2 = (3-2)/(3+2). */
+/* beltrami gives |mu| of the shear phi = (u+v, v, 0), where E = 1, F = 1, G = 2 and thus |mu|^2 =
+ * (3-2)/(3+2), and nearly 0 on a conformal grid. */
 static void
 beltrami_of_a_shear(void **state)
 {
@@ -125,7 +128,8 @@ beltrami_of_a_shear(void **state)
 		assert_true(mu[p] < 1e-4);
 }
 
-/* A surface of which 5 x 5 nodes collapse to a point still has lambda > 0 and finite H. */
+/* If 5 x 5 nodes collapse to a point, lambda is still positive and H finite, and the nodes are
+ * counted. */
 static void
 collapsed_nodes_are_counted(void **state)
 {
@@ -141,13 +145,13 @@ collapsed_nodes_are_counted(void **state)
 		}
 	flaws = lambdah(COARSE, cphi, LAMBDAH_NORMAL, lambda, H);
 	assert_int_equal(flaws.raised, 9);
-	assert_int_equal(flaws.parallel, 12);   /* phi_u or phi_v is 0 along the sides of the square */
+	assert_int_equal(flaws.parallel, 12);   /* on the sides of the square phi_u or phi_v is 0 */
 	for (p = 0; p < COARSE.nu*COARSE.nv; p++)
 		assert_true(lambda[p] > 0 && isfinite(H[p]));
 }
 
-/* At column 10 the plane is folded onto a line along no axis: there phi_u and phi_v are parallel,
- * up to rounding. */
+/* Columns 9 to 11 are put on a line, so phi_u and phi_v are parallel, up to rounding, in column 10.
+ * These nodes are counted, and H is 0 there. */
 static void
 parallel_tangents_are_counted(void **state)
 {

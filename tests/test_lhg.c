@@ -27,7 +27,7 @@ rnd(void)
 	return (unsigned)(seed >> 33);
 }
 
-/* A finite number of any size, including -0 and subnormal numbers. */
+/* A random finite number of any magnitude; also zeros and subnormal numbers. */
 static double
 anynumber(void)
 {
@@ -43,7 +43,7 @@ anynumber(void)
 	return x;
 }
 
-/* A grid with every support, metadata and history, of random samples. */
+/* A grid with channels of every support, random samples, metadata and history. */
 static void
 sample(Lhg *g, int nu, int nv, int frame, int frames)
 {
@@ -89,7 +89,7 @@ same(const Lhg *a, const Lhg *b)
 	}
 }
 
-/* A set of n frames of random samples. */
+/* The bytes of a set of n frames with random samples. */
 static Bytes
 set(int nu, int nv, int n)
 {
@@ -112,11 +112,12 @@ set(int nu, int nv, int n)
 
 typedef struct Result {
 	int  code;              /* 0: a complete stream */
-	long grids;             /* grids passed on before the failure */
+	long grids;             /* grids returned before the failure */
 	char err[256];
 } Result;
 
-/* Reads f to its end.  After a failure the grid is empty, and the message is one clean line. */
+/* Reads f to its end.  Checks that after a failure the grid is empty and the message is one line of
+ * printable ASCII. */
 static Result
 drain(FILE *f)
 {
@@ -142,7 +143,7 @@ drain(FILE *f)
 	return r;
 }
 
-/* The same for bytes, which are freed. */
+/* drain for bytes, which it frees. */
 static Result
 scan(Bytes b)
 {
@@ -205,7 +206,8 @@ roundtrip(void **state)
 		}
 }
 
-/* Including a grid larger than the blocks in which samples are read and memory grows. */
+/* A grid larger than the blocks in which samples are read and memory grows is read, and refused if
+ * damaged. */
 static void
 large(void **state)
 {
@@ -243,7 +245,7 @@ canonical(void **state)
 	free(b.p);
 }
 
-/* A grid assembled from LHG.md, without the writer. */
+/* A grid whose bytes were made by the rules of LHG.md, without the writer, is read. */
 static void
 assembled_by_hand(void **state)
 {
@@ -265,7 +267,8 @@ assembled_by_hand(void **state)
 	free(b.p);
 }
 
-/* A decimal point that is a comma, or several bytes, changes no byte. */
+/* In a locale whose decimal point is a comma or has several bytes, the writer writes the same bytes
+ * and the reader reads them. */
 static void
 locales(void **state)
 {
@@ -308,8 +311,8 @@ truncated(void **state)
 	for (n = 0; n < all.n; n++) {
 		r = scan(part(all, 0, n));
 		assert_int_equal(r.code, n == 0 ? LHG_EMAGIC : n == a.n ? 0 : LHG_ESHORT);
-		/* Frame 1 is accepted alone; frame 2 only if nothing or a complete first line
-		 * follows. */
+		/* The reader returns frame 1 before it has seen frame 2.  It returns frame 2 only if
+		 * the end or a complete first line follows. */
 		assert_int_equal(r.grids, n < frame ? 0 : n != a.n && n < a.n + 6 ? 1 : 2);
 	}
 	assert_int_equal(scan(all).grids, 3);
@@ -381,11 +384,11 @@ frames(void **state)
 	free(a.p), free(other.p), free(f1.p), free(f2.p), free(f3.p), free(o2.p);
 }
 
-/* Blocks and headers in a different order, missing or doubled. */
+/* Streams whose blocks are in another order, missing, doubled or of another grid are refused. */
 static void
 parts(void **state)
 {
-	Bytes a, b = set(4, 4, 1), c;           /* x, band.x, H, start.x: 192 128 192 64 bytes */
+	Bytes a, b = set(4, 4, 1), c;           /* blocks of 192, 128, 192, 64 bytes */
 	size_t h = headlen(b), at = h + 192 + 128;
 
 	(void)state;
@@ -531,7 +534,7 @@ badends(void **state)
 	(void)state;
 	for (n = 1; n <= 130; n++)
 		assert_int_equal(scan(gridof(headof(B, strlen(B), n), zero, 20)).code, LHG_EHEAD);
-	for (n = 0; n < sizeof B - 1; n++) {    /* a NUL in place of any byte except in line 1 */
+	for (n = 0; n < sizeof B - 1; n++) {    /* a NUL in place of any byte of the lines */
 		b = headof(B, strlen(B), 0);
 		b.p[n] = '\0';
 		sprintf(b.p + b.n - 9, "%08lx", crc32(0, (Bytef *)b.p, (uInt)(b.n - 9)));
@@ -555,7 +558,7 @@ badends(void **state)
 	fails(b, LHG_EHEAD, "header has no end in its first 65536 bytes");
 }
 
-/* Lines and headers of the maximal length are accepted; one byte longer they are refused. */
+/* A line or a header of the greatest length is accepted; with one byte more it is refused. */
 static void
 longheaders(void **state)
 {
@@ -619,7 +622,8 @@ badsamples(void **state)
 	}
 }
 
-/* A header that claims 64 channels of 8 GiB is refused without allocating them. */
+/* A short stream whose header claims 64 channels of 8 GiB each is refused without allocating
+ * them. */
 static void
 promises(void **state)
 {
@@ -647,7 +651,7 @@ promises(void **state)
 
 /* ---- what the writer refuses ----------------------------------------- */
 
-/* lhg_write(g) returns code and writes no byte; g is freed. */
+/* Checks that lhg_write(g) returns code and writes no byte; frees g. */
 static void
 unwritten(Lhg *g, int code)
 {
@@ -743,7 +747,7 @@ brokenfiles(void **state)
 	assert_memory_equal(s.err, "write: ", 7);       /* the system gives no reason in this case */
 	fclose(f);
 	lhg_free(&g);
-	sample(&g, 3, 3, 1, 1);                 /* fits a buffer, so only flushing fails */
+	sample(&g, 3, 3, 1, 1);                 /* fits the buffer, so only flushing fails */
 	if ((f = fopen("/dev/full", "wb"))) {
 		lhg_open(&s, f);
 		assert_int_equal(lhg_write(&s, &g), LHG_EIO);
@@ -771,7 +775,8 @@ covers(int nu, int nv, int support, int step, int i, int j)
 	return 1;
 }
 
-/* lhg_gather and lhg_scatter against the definition, node by node in row order. */
+/* Compares lhg_gather and lhg_scatter with the definition of the support: the nodes it covers, in
+ * row order. */
 static void
 checksupport(int nu, int nv, int support, int step)
 {
@@ -902,7 +907,7 @@ metadata(void **state)
 	lhg_free(&g);
 }
 
-/* Every text given to lhg_note can be written and read. */
+/* lhg_note makes every text valid, so that it can be written and read. */
 static void
 history(void **state)
 {
@@ -938,7 +943,8 @@ history(void **state)
 	lhg_free(&g);
 }
 
-/* Random bytes changed in a larger stream, also with checksums made valid again. */
+/* Random bytes of a larger stream are changed.  The reader must not crash, and must refuse it if a
+ * single byte was changed. */
 static void
 noise(void **state)
 {

@@ -1,9 +1,9 @@
 /* test_lhgcorpus.c - the samples of tests/lhg: streams that every version must read with the
- * same content, and streams, most of them with valid checksums, that it must refuse.
+ * same content, and streams that every version must refuse, most of them with valid checksums.
  *
  *   test_lhgcorpus              reads them all; run from the top of the repository
  *   test_lhgcorpus write DIR    writes them to DIR/good and DIR/bad, as for tests/lhg
- *   test_lhgcorpus list         prints for each bad one its name, a tab and what is wrong
+ *   test_lhgcorpus list         prints for each bad sample its name, a tab and its error message
  *
  * Samples of the commands, good/v1-COMMAND.lhg, are written by tests/lhg/commands. */
 #include <dirent.h>
@@ -17,7 +17,7 @@ enum { FILELEN = 300 };
 
 /* ---- good ------------------------------------------------------------ */
 
-/* A channel; sample k of channel c in grid m is (k^2 - 7)/8 + 100 c + m. */
+/* Adds a channel: sample k of channel c in frame m is (k^2 - 7)/8 + 100 c + m. */
 static void
 channel(Lhg *g, const char *name, const char *unit, int support, int step)
 {
@@ -52,7 +52,7 @@ supports(Lhg *g, int m)
 	channel(g, "l4", "1", LHG_LATTICE, 4);
 }
 
-/* A set of three, a single, a set of two. */
+/* A set of three frames, a single grid, and a set of two frames. */
 static void
 sets(Lhg *g, int m)
 {
@@ -113,7 +113,7 @@ channels(Lhg *g, int m)
 	}
 }
 
-/* Names, keys and texts of every allowed length and character. */
+/* The longest names, keys and texts, and all kinds of characters that they may have. */
 static void
 texts(Lhg *g, int m)
 {
@@ -165,7 +165,8 @@ goodbytes(const struct Good *what)
 
 /* ---- bad ------------------------------------------------------------- */
 
-/* Each changes b, the three frames of `sets`, of which frame k begins at byte k n/3. */
+/* The functions below damage b, the first three frames of `sets`.  The frames have equal lengths:
+ * frame k, counted from 0, begins at byte k n/3. */
 static void
 replace(Bytes *b, Bytes with)
 {
@@ -189,7 +190,8 @@ order(Bytes *b, const char *frames)
 	replace(b, all);
 }
 
-/* The first byte of the samples of x in frame 1: 12 of them, then 10 of band.x. */
+/* Positions in the first frame: the 12 samples of x, the end of their block, the 10 samples of
+ * band.x, and the end mark. */
 enum { SAMPLES = 192, TAIL = SAMPLES + 8*12, BAND = SAMPLES + 128, END = BAND + 128 };
 
 static void cutmagic(Bytes *b) { b->n = 3; }
@@ -218,7 +220,7 @@ static void inserted(Bytes *b) { replace(b, glue(glue(part(*b, 0, SAMPLES), text
 static void unaligned(Bytes *b) { replace(b, glue(text("lhg 1\nend\n"), part(*b, 0, b->n))); }
 static void headerof(Bytes *b, const char *lines) { replace(b, headof(lines, strlen(lines), 0)); }
 
-/* A complete first block of another grid with the same header. */
+/* The block of x is that of another grid with the same header. */
 static void
 otherblock(Bytes *b)
 {
@@ -236,7 +238,7 @@ othersets(Lhg *g, int m)
 	g->chan[1].f[0] = 0.5;
 }
 
-/* Frame 2 of another set with equal sizes, names and history. */
+/* Frame 2 is that of another set with the same sizes, names and history. */
 static void
 otherframe(Bytes *b)
 {
@@ -342,7 +344,8 @@ static void sampleinf(Bytes *b) { sample(b, -INFINITY); }
 #define MORE(s)    CHANNEL("channel x 1 grid\n") s
 #define S32        "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa"
 
-/* lines: a header with valid CRC, followed by 20 samples of 0, their CRC and an end mark. */
+/* A bad stream: either a header of `lines` with a valid CRC, then 20 samples of 0, their CRC and an
+ * end mark; or, if lines is NULL, frames changed by `damage`. */
 static const struct Bad {
 	const char *name, *lines;
 	void (*damage)(Bytes *b);
@@ -546,7 +549,7 @@ writeall(const char *dir)
 
 /* ---- tests ----------------------------------------------------------- */
 
-/* The code of reading the first n bytes of b; err gets the message. */
+/* Reads the first n bytes of b.  Returns the last code of lhg_read; err gets the message. */
 static int
 drain(Bytes b, size_t n, char err[256])
 {
@@ -583,7 +586,8 @@ same(const Lhg *a, const Lhg *b)
 	}
 }
 
-/* Each sample is read as the grids it was made of, and written again byte for byte. */
+/* Each good sample is read as the grids of which it was made, and the writer still writes the same
+ * bytes. */
 static void
 good_samples(void **state)
 {
@@ -637,8 +641,8 @@ bad_samples(void **state)
 	}
 }
 
-/* Calls each for every file of tests/lhg/good, including those of the commands; returns their
- * number. */
+/* Calls `each` for every file of tests/lhg/good, those of the commands included.  Returns the
+ * number of files. */
 static int
 everygood(void (*each)(const char *path, Bytes b))
 {
@@ -684,7 +688,7 @@ copied(const char *path, Bytes b)
 	free(again.p);
 }
 
-/* A sample cut anywhere except after a complete set is refused. */
+/* A sample that is cut is refused, unless the cut is after a complete set. */
 static void
 cut(const char *path, Bytes b)
 {
@@ -700,7 +704,7 @@ cut(const char *path, Bytes b)
 	assert_true(sets < sizeof height/sizeof *height);
 }
 
-/* Flipping any bit of any byte makes the sample refused. */
+/* A sample with one bit of one byte flipped is refused. */
 static void
 turned(const char *path, Bytes b)
 {

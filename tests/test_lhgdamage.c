@@ -1,5 +1,5 @@
-/* test_lhgdamage.c - random changes of a stream of a MiB: the grid with the first change is
- * refused, so neither it nor any later grid is accepted with a damaged number.
+/* test_lhgdamage.c - random changes of a stream of 1 MiB: the first grid that was changed is
+ * refused, so no damaged number is accepted in it or in a later grid.
  *
  * LHG_CHANGES is the number of trials: 20000 by default, a million in make soak. */
 #include <math.h>
@@ -18,7 +18,8 @@ rnd(void)
 	return (uint32_t)(seed >> 33);
 }
 
-/* Smooth fields, as real ones are: neighbours differ in few bits. */
+/* Adds a smooth channel.  Real channels are smooth too: the bits of neighbouring samples are
+ * similar. */
 static void
 field(Lhg *g, const char *name, int support, int step)
 {
@@ -57,7 +58,7 @@ stream(int nu, int nv, int frames)
 	return b;
 }
 
-/* The reader's state and the position in the file before each frame. */
+/* Records the state of the reader and the position in the file before each frame. */
 static void
 visit(FILE *f, LhgStream before[], long at[])
 {
@@ -81,7 +82,8 @@ typedef struct Change {
 	char was;
 } Change;
 
-/* Changes up to MOST bytes: scattered, adjacent, or by one bit each.  Returns their number. */
+/* Changes up to MOST bytes: random bytes, adjacent bytes, or one bit in each of several adjacent
+ * bytes.  Returns the number of changes. */
 static int
 change(Bytes b, Change c[MOST])
 {
@@ -98,7 +100,7 @@ change(Bytes b, Change c[MOST])
 	return n;
 }
 
-/* The lowest byte that differs, or b.n; a byte may have been changed twice, back to its value. */
+/* The lowest byte of b that differs from good, or b.n: the changes may have restored all bytes. */
 static size_t
 first(Bytes b, Bytes good, const Change *c, int n)
 {
@@ -156,7 +158,7 @@ manyframes(void **state)
 	free(good.p);
 }
 
-/* A single grid of a MiB, read from its beginning; a thousandth of the changes. */
+/* The same with a single grid of 1 MiB and a thousandth of the number of changes. */
 static void
 onegrid(void **state)
 {
@@ -184,8 +186,8 @@ onegrid(void **state)
 	free(good.p);
 }
 
-/* LHG.md 8: bursts of up to 32 adjacent bits, from every bit of a small stream; make check takes
- * every third. */
+/* LHG.md, section 8: a change within 32 adjacent bits is always detected.  A small stream is
+ * changed at every bit; in make check at every third. */
 static void
 bursts(void **state)
 {
@@ -216,8 +218,8 @@ bursts(void **state)
 	free(b.p);
 }
 
-/* A stream cut after any byte; make check takes every 61st.  test_lhgcorpus cuts small
- * streams. */
+/* A stream cut after any byte is refused; make check tries every 61st byte.  test_lhgcorpus cuts
+ * small streams. */
 static void
 cut(void **state)
 {

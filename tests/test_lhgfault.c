@@ -1,6 +1,6 @@
 /* test_lhgfault.c - format/lhg.h under system failures: each allocation, read and write fails in
  * turn, signals interrupt reading, and transfers are as short as one byte. */
-#define _GNU_SOURCE             /* fopencookie */
+#define _GNU_SOURCE             /* for fopencookie */
 #include <errno.h>
 
 #include "../format/lhg.h"
@@ -8,8 +8,8 @@
 
 /* ---- memory ---------------------------------------------------------- */
 
-/* The linker redirects the library's calls here (--wrap).  left counts down to the call that
- * fails, 0 for none; held is the number of blocks not yet freed. */
+/* The linker option --wrap redirects the calls of the library to these functions.  left counts down
+ * to the call that fails; if it is 0, none fails.  held is the number of blocks not yet freed. */
 static long left, held;
 
 void *__real_malloc(size_t n);
@@ -64,7 +64,8 @@ __wrap_free(void *p)
 
 /* ---- streams --------------------------------------------------------- */
 
-/* A file whose turn-th call fails with code, and which transfers at most `most` bytes a call. */
+/* A file that fails at call number `turn` with errno = code; a read returns at most `most`
+ * bytes. */
 typedef struct Device {
 	Bytes  b;               /* reading: the file; writing: the bytes written so far */
 	size_t at, most;
@@ -88,7 +89,7 @@ give(void *cookie, char *to, size_t n)
 	return (ssize_t)n;
 }
 
-/* fopencookie expects 0 for a failed write. */
+/* The write function of fopencookie must return 0, not -1, for an error. */
 static ssize_t
 take(void *cookie, const char *from, size_t n)
 {
@@ -159,7 +160,8 @@ set(int n)
 	return b;
 }
 
-/* The last code of reading f; a failure leaves nothing allocated. */
+/* Reads f to its end and returns the last code of lhg_read.  Checks that the grid is empty after a
+ * failure. */
 static int
 readset(FILE *f, char err[256])
 {
@@ -178,7 +180,8 @@ readset(FILE *f, char err[256])
 
 /* ---- tests ----------------------------------------------------------- */
 
-/* A size for which the buffer of the samples grows. */
+/* Each allocation of the reader fails in turn: it reports this and frees everything.  With 400 x
+ * 400 nodes the buffer of the samples has to grow. */
 static void
 readnomemory(void **state)
 {
@@ -201,12 +204,12 @@ readnomemory(void **state)
 	}
 	left = 0;
 	assert_int_equal(e, 0);
-	assert_true(k > 12);            /* per frame: meta, history, the spelling, x twice, b */
+	assert_true(k > 12);            /* six or more in each frame */
 	fclose(f);
 	free(b.p);
 }
 
-/* A failed allocation leaves the grid unchanged. */
+/* If an allocation fails in a function that changes a grid, the grid is unchanged. */
 static void
 changenomemory(void **state)
 {
@@ -231,7 +234,8 @@ changenomemory(void **state)
 	assert_int_equal(held, before);
 }
 
-/* Reads with call k failing; returns the number of calls of a complete reading. */
+/* Reads b repeatedly, with call k failing for k = 1, 2, .., and checks the code and the message.
+ * Returns the first k for which no call failed. */
 static long
 readwith(Bytes b, size_t most, int code, int want, const char *message, int buffered)
 {
@@ -270,7 +274,8 @@ readfails(void **state)
 	free(b.p);
 }
 
-/* The same for writing: the output is the complete stream, or has no end mark. */
+/* The same for writing: after a failed call the output is shorter than the stream, so its end mark
+ * is missing; without one it is the complete stream. */
 static long
 writewith(Bytes good, int code, const char *message, int buffered)
 {

@@ -1,4 +1,5 @@
-/* test_matching.c - matching of borders by landmarks and arc length, and interpolated borders. */
+/* test_matching.c - matching.h: two borders are matched by landmarks and arc length; borders
+ * between them; Coons patches. */
 #include "cmock.h"
 
 #include <math.h>
@@ -11,7 +12,7 @@
 
 enum { NU = 19, NV = 13 };
 
-/* Closed curves in space without symmetry, with uneven parameter speed. */
+/* A closed space curve without symmetry, whose nodes are unevenly spaced. */
 static void
 curve(Border *b, int nu, int nv, double phase, double size)
 {
@@ -62,7 +63,7 @@ order(void **state)
 	assert_int_equal(matching_order(3, again), 2);
 }
 
-/* The place on b at the share f of the arc length from q to q2. */
+/* The place on b at the fraction f of the arc length from q to q2, found by bisection. */
 static double
 by_share(const Border *b, double q, double q2, double f)
 {
@@ -85,7 +86,8 @@ static const double P[3][5] = { { 0.3, 1.25, 2.6, 3, 3.8 }, { 3.2, 0.1, 0.5, 1.9
 static const double Q[3][5] = { { 0, 1.5, 2, 2.9, 3.7 }, { 2.9, 3.9, 0.7, 2, 2.1 }, { 0.75 } };
 static const int COUNT[3] = { 5, 5, 1 };
 
-/* (34) and (20), point by point; the borders themselves at t = 0 and t = 1. */
+/* Between two landmarks, points at equal fractions of the arc length are matched, equation (34).
+ * The borders between a and b satisfy (20), and are a itself at t = 0 and b at t = 1. */
 static void
 shares_of_length(void **state)
 {
@@ -126,7 +128,8 @@ shares_of_length(void **state)
 	border_free(&b);
 }
 
-/* Landmarks on either side of corner 0 are matched across it, not the long way round. */
+/* If a landmark is just after corner 0 on one border and just before it on the other, the borders
+ * are matched across this corner, not the long way round. */
 static void
 across_the_corner(void **state)
 {
@@ -194,14 +197,15 @@ no_length(void **state)
 	assert_int_equal(matching_init(&m, &a, &b, 3, p, q, &at), MATCHING_ELENGTH);
 	assert_int_equal(at, 1);
 	assert_int_equal(matching_init(&m, &b, &a, 3, q, p, &at), MATCHING_ELENGTH);
-	p[2] += 0.01;           /* an edge of length 0 between two landmarks does no harm */
+	p[2] += 0.01;           /* an edge of length 0 among others is allowed */
 	assert_int_equal(matching_init(&m, &a, &b, 3, p, q, &at), 0);
 	matching_free(&m);
 	border_free(&a);
 	border_free(&b);
 }
 
-/* The Coons patch of a bilinear field's border is the field; any border is kept. */
+/* A Coons patch reproduces bilinear functions and sums of a function of u and a function of v, and
+ * has the given values on the border. */
 static void
 coons_patches(void **state)
 {

@@ -1,8 +1,9 @@
-/* test_memory.c - each allocation of lib/ and format/ fails in turn: an error is returned, and
- * all memory allocated before is freed.
+/* test_memory.c - allocations of lib/ and format/ fail one after the other: each time an error must
+ * be returned and all memory allocated before must be freed.
  *
- * Linked with fault.c, which lists the allocations that it cannot see.  The allocation that
- * fails next after the N-th is number N + 1 + N/SHARE; with SOAK set, each of the first 3000.
+ * The program is linked with fault.c, where the allocations are listed that it cannot make fail.
+ * After allocation N, number N + 1 + N/SHARE fails.  If SOAK is set, each of the first 3000 fails,
+ * and SHARE is 100 for later ones.
  */
 #include "cmock.h"
 
@@ -23,7 +24,8 @@
 
 enum { SHARE = 40 };
 
-/* What CGAL itself leaks if operator new throws while it builds a container. */
+/* Tells the leak detector to ignore what CGAL itself leaks if operator new throws while CGAL builds
+ * a container. */
 const char *__lsan_default_suppressions(void);
 const char *
 __lsan_default_suppressions(void)
@@ -31,11 +33,12 @@ __lsan_default_suppressions(void)
 	return "leak:allocate_new_block\nleak:CGAL::Properties\nleak:CGAL::Kd_tree\n";
 }
 
-static Mesh mesh;               /* input of the work, allocated without faults */
+static Mesh mesh;               /* the input, allocated before any fault */
 static Disk disk;
 static int  corner[4];
 
-/* work returns 0 or an error, and frees its memory in either case. */
+/* Calls work(which) repeatedly, each time with another failing allocation.  work must return 0 or
+ * an error, and free its memory in either case. */
 static void
 refuse_each(int (*work)(int), int which)
 {
@@ -114,7 +117,7 @@ mapped(int way)
 
 enum { NU = 9, NV = 7, NODES = NU*NV };
 
-/* A flat sheet with a bump. */
+/* A simple curved surface. */
 static void
 sheet(double phi[3][NODES])
 {
@@ -128,7 +131,7 @@ sheet(double phi[3][NODES])
 		}
 }
 
-/* way 0: with a start; 1: without; 2: the frame method */
+/* way 0: the surface method with a start; 1: the same without a start; 2: the frame method */
 static int
 solved(int way)
 {
@@ -185,7 +188,7 @@ compared(int crossings)
 	return e;
 }
 
-/* A stream of grids with metadata and history, written and read again. */
+/* Writes a stream of grids with metadata and history, and reads it again. */
 static int
 passed_on(int frames)
 {
@@ -221,7 +224,7 @@ passed_on(int frames)
 }
 
 
-/* Every format of the table. */
+/* Mesh files of every format are written and read. */
 static void
 files(void **state)
 {

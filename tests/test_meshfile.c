@@ -1,5 +1,5 @@
-/* test_meshfile.c - meshfile.h: the rules of every format, refusals and their messages; cut,
- * changed and hostile files; writing and reading back. */
+/* test_meshfile.c - meshfile.h: the rules of every format; refusals and their messages; files
+ * that are cut, changed or made to do harm; writing and reading back. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -33,7 +33,7 @@ parse(Soup *s, const void *bytes, size_t n)
 	return e;
 }
 
-/* Text that must be read as nv vertices and the faces "0 1 2/0 2 3". */
+/* Checks that the text is read as nv vertices and the given faces, written as in "0 1 2/0 2 3". */
 static void
 reads(const char *text, int nv, const char *faces)
 {
@@ -213,7 +213,8 @@ ply_rules(void **state)
 	refuses(HEAD("ascii", "2") "end_header\n0 0 0\n0 inf 0\n", MESH_EVALUE, "vertex 1");
 }
 
-/* Data whose first byte is that of a line end, after each kind of line end. */
+/* Binary PLY data may begin with bytes that look like a line end: they must not be taken for one,
+ * whatever the line ends of the header. */
 static void
 ply_line_ends(void **state)
 {
@@ -281,8 +282,9 @@ other_kinds(void **state)
 	refuses("# c\nVertex 1 0 0 0\n", MESH_EFORMAT, "Hoppe");
 }
 
-/* Limits memory so far that trusting a claimed count gives MESH_ENOMEM, a wrong code.  A
- * sanitizer needs its own address space, and reports a large allocation itself. */
+/* Limits the memory, so that a reader that trusts a false count returns MESH_ENOMEM, which is the
+ * wrong code.  Not with a sanitizer: it needs much address space itself, and reports large
+ * allocations anyway. */
 static void
 limit(const struct rlimit *old)
 {
@@ -296,7 +298,8 @@ limit(const struct rlimit *old)
 #endif
 }
 
-/* Counts and indices that are impossible in a file of a hundred bytes, under a memory limit. */
+/* Counts and indices that are impossible in a file of a hundred bytes are refused, without
+ * allocating memory for them. */
 static void
 hostile_counts(void **state)
 {
@@ -329,7 +332,7 @@ hostile_counts(void **state)
 			e = parse(&s, file, strlen(file));
 			if (!e)
 				soup_free(&s);
-			if (e != MESH_EFORMAT && e != MESH_EINDEX && !(i == 4 && k == 1))       /* OBJ's -1 */
+			if (e != MESH_EFORMAT && e != MESH_EINDEX && !(i == 4 && k == 1))       /* -1 is valid in OBJ */
 				fail_msg("%s: code %d %s", file, e, e ? s.err : "");
 		}
 	setrlimit(RLIMIT_AS, &old);
@@ -338,7 +341,7 @@ hostile_counts(void **state)
 	refuses("OFF\n1 1 0\n0 0 0\n2000000000 0 0\n", MESH_EFORMAT, "file ends in face 0 of 1");
 }
 
-/* A fan of k triangles about vertex 0, not flat. */
+/* A fan of k triangles around vertex 0, not flat, with coordinates of very different magnitudes. */
 static Mesh
 fan(int k)
 {
@@ -369,7 +372,8 @@ same(const Soup *s, const Mesh *m)
 	    memcmp(s->idx, m->tri, (size_t)m->nf * 3 * sizeof(int)) == 0;
 }
 
-/* Formats with shared vertices return every bit, STL every corner rounded to float. */
+/* A mesh is read back from every format: bit for bit from formats with shared vertices, and with
+ * corners rounded to float from STL. */
 static void
 round_trip(void **state)
 {
@@ -435,11 +439,11 @@ table_of_formats(void **state)
 		snprintf(file, sizeof file, "x%.20s", f->ends);
 		assert_ptr_equal(meshformat_of(file), f);
 		snprintf(file, sizeof file, "tests/fuzz/%.20s.c", f->ends + 1);
-		assert_int_equal(access(file, R_OK), 0);        /* every format has its fuzz target */
+		assert_int_equal(access(file, R_OK), 0);        /* every format has a fuzz target */
 	}
 }
 
-/* Appends n bytes of w in either byte order. */
+/* Appends the n low bytes of w, in big-endian order if `big`, else in little-endian order. */
 static void
 bytes(char **p, unsigned long w, int n, int big)
 {
@@ -449,7 +453,7 @@ bytes(char **p, unsigned long w, int n, int big)
 		*(*p)++ = (char)(w >> 8*(big ? n-1 - i : i));
 }
 
-/* The bits of coordinate i as a float, for small integers i. */
+/* The bits of the float with the value i. */
 static unsigned long
 asfloat(int i)
 {
@@ -460,7 +464,7 @@ asfloat(int i)
 	return w;
 }
 
-/* Two faces of a tetrahedron, as binary OFF or PLY; returns the length. */
+/* Writes two faces of a tetrahedron to buf as binary OFF or PLY.  Returns the length. */
 static size_t
 binaryfile(char *buf, int ply, int big, int colours)
 {
@@ -513,8 +517,8 @@ binary_files(void **state)
 			}
 }
 
-/* A file cut at k bytes is refused, unless only blanks or, in text, digits of the last number are
- * missing. */
+/* A file that is cut anywhere is refused, unless only blanks or, in text, digits of the last number
+ * are missing. */
 static void
 every_cut(void **state)
 {
@@ -539,8 +543,8 @@ every_cut(void **state)
 	mesh_free(&m);
 }
 
-/* Each byte in turn gets each of a few values, in a text without a final newline; only a crash, a
- * sanitizer or an index out of range makes this fail. */
+/* Each byte of a file is replaced by each of a few values.  The reader may accept or refuse the
+ * result, but must not crash, access memory out of bounds or return an index out of range. */
 static void
 changed(const char *bytes, size_t n)
 {
@@ -592,7 +596,7 @@ every_byte(void **state)
 	changed(buf, binaryfile(buf, 1, 1, 0));
 }
 
-/* Packs bytes as one gzip member; returns its length. */
+/* Compresses the bytes to one gzip member.  Returns its length. */
 static size_t
 deflated(const char *bytes, size_t n, unsigned char *out, size_t room)
 {
@@ -609,7 +613,7 @@ deflated(const char *bytes, size_t n, unsigned char *out, size_t room)
 	return room - z.avail_out;
 }
 
-/* From the first bytes of a long file: whether it can be a mesh. */
+/* meshfile_plausible decides from the first bytes of a file whether it can be a mesh. */
 static void
 first_bytes_tell_a_mesh(void **state)
 {
@@ -634,10 +638,10 @@ first_bytes_tell_a_mesh(void **state)
 	n = deflated(good[0], strlen(good[0]), z, sizeof z);
 	assert_int_equal(meshfile_plausible(z, n - 8, MOST, err), 0);
 	memset(head, 0, sizeof head);
-	assert_int_equal(meshfile_plausible(head, sizeof head, MOST, err), MESH_EFORMAT);  /* an endless word */
+	assert_int_equal(meshfile_plausible(head, sizeof head, MOST, err), MESH_EFORMAT);  /* no word ends */
 	head[0] = 'x', head[9] = ' ';
-	assert_int_equal(meshfile_plausible(head, sizeof head, MOST, err), MESH_EFORMAT);  /* no triangle */
-	head[81] = 1;                   /* 256 triangles: 12884 bytes */
+	assert_int_equal(meshfile_plausible(head, sizeof head, MOST, err), MESH_EFORMAT);  /* no triangles */
+	head[81] = 1;                   /* STL: 256 triangles, 12884 bytes */
 	assert_int_equal(meshfile_plausible(head, sizeof head, 12884, err), 0);
 	assert_int_equal(meshfile_plausible(head, sizeof head, 12883, err), MESH_EFORMAT);
 }
@@ -665,7 +669,7 @@ gzipped(void **state)
 		memcpy(bad, z, n);
 		bad[i] ^= 0x10;
 		if (parse(&s, bad, n) == 0)
-			soup_free(&s);          /* the flags of the second member's header */
+			soup_free(&s);          /* some bits of a gzip header have no effect */
 		else
 			assert_true(strstr(s.err, "gzip") || strstr(s.err, "face") || strstr(s.err, "header"));
 	}
@@ -676,14 +680,14 @@ gzipped(void **state)
 	assert_string_equal(s.err, "empty input");
 	zeros = calloc(1, 1 << 22);
 	big = malloc(1 << 16);
-	n = deflated(zeros, 1 << 22, big, 1 << 16);     /* a ratio of 1000:1 is allowed */
+	n = deflated(zeros, 1 << 22, big, 1 << 16);     /* 1000:1 is allowed */
 	assert_int_equal(parse(&s, big, n), MESH_EFORMAT);
 	assert_null(strstr(s.err, "gzip data"));
 	free(zeros);
 	free(big);
 }
 
-/* Every format, in every way to write it, gives the same soup from gzip. */
+/* A file of any format gives the same soup when it is compressed with gzip. */
 static void
 same_gzipped(const char *bytes, size_t n)
 {
@@ -750,7 +754,8 @@ parseuv(Soup *s, const void *bytes, size_t n)
 	return e;
 }
 
-/* Text with this T and these (u,v); read without them it is an ordinary mesh. */
+/* Checks that the text is read with this T and these (u,v), and that it can also be read without
+ * them. */
 static void
 readsuv(const char *text, double T, int nv, const double *uv)
 {
@@ -797,7 +802,7 @@ obj_uv(void **state)
 	readsuv("# lhgrid T 0.75\n" TRI VT "f 1/1 2/2 3/3\n", 0.75, 3, uv);
 	readsuv("# by hand\n#\n#lhgrid T 3\n# lhgrid 5\n" TRI "# lhgrid T 1e-3 # so\n" VT "f 1/1 2/2 3/3",
 		1e-3, 3, uv);
-	readsuv(TRI "v 1 1 0\n" VT "f 1/1/1 2/2/1 3/3/1 # lhgrid T 7\n", 0, 4, uv);   /* vertex 3: no face */
+	readsuv(TRI "v 1 1 0\n" VT "f 1/1/1 2/2/1 3/3/1 # lhgrid T 7\n", 0, 4, uv);   /* 3 has no face */
 	readsuv("f 1/1/7 2/2/7 3/3/7\n" VT TRI, 0, 3, uv);
 	readsuv(TRI VT "f 1/-3 2/-2 3/-1\n", 0, 3, uv);
 	readsuv(TRI VT "f 2/1 3/2 1/3\n", 0, 3, turned);
@@ -819,7 +824,7 @@ obj_uv(void **state)
 	refusesuv(TRI VT "# lhgrid T nan\nf 1/1 2/2 3/3\n", MESH_EVALUE, "is not a positive number");
 	refusesuv(TRI VT "f 1/1 2/2 4/3\n", MESH_EINDEX, "face 0 refers to vertex 3, there are 3");
 	refusesuv("OFF\n0 0 0\n", MESH_EFORMAT, "only OBJ and PLY carry (u,v)");
-	reads(TRI VT "f 1/1 2/2 3/3\nf 1/1 3/2 2/2\n", 3, "0 1 2/0 2 1"); /* without (u,v) a seam is allowed */
+	reads(TRI VT "f 1/1 2/2 3/3\nf 1/1 3/2 2/2\n", 3, "0 1 2/0 2 1"); /* allowed if (u,v) are not read */
 	reads(TRI "vt nan\n# lhgrid T x\nf 1/7 2/7 3/7\n", 3, "0 1 2");
 }
 
@@ -841,7 +846,7 @@ ply_uv(void **state)
 	}
 	readsuv(PLYUV("",
 		"property float u\nproperty float q\nproperty float t\nproperty float s\nproperty float v\n")
-	    "0 0 0 9 9 .25 .5 9\n1 0 0 9 9 1 0 9\n0 1 0 9 9 -1 -1 9\n3 0 1 2\n", 0, 3, uv);      /* s t first */
+	    "0 0 0 9 9 .25 .5 9\n1 0 0 9 9 1 0 9\n0 1 0 9 9 -1 -1 9\n3 0 1 2\n", 0, 3, uv);      /* s, t before u, v */
 	refusesuv(PLYUV("", "property float s\nproperty float v\n") "0 0 0 0 0\n", MESH_EFORMAT,
 		"vertices lack (u,v)");
 	refusesuv(PLYUV("", "") "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", MESH_EFORMAT, "vertices lack (u,v)");
@@ -859,7 +864,7 @@ ply_uv(void **state)
 	    "property int s\nproperty int t\nend_header\n0 0 0 0 0\n", MESH_EFORMAT, "file has room for");
 }
 
-/* The offsets of three vertices, in comments of an OBJ and in properties of a PLY. */
+/* The offsets of three vertices are read from comments of an OBJ and from properties of a PLY. */
 static void
 offsets(void **state)
 {
@@ -901,7 +906,8 @@ offsets(void **state)
 	    MESH_EFORMAT, "vertices have 2 of the properties offset_u offset_v offset_n offset_r");
 }
 
-/* A soup of a vertex of no face, a triangle, a quad and a polygon of n corners. */
+/* A soup of a triangle, a quad, a polygon of n corners and a vertex without a face, with (u,v) and
+ * offsets. */
 static Soup
 polygons(int n)
 {
@@ -924,8 +930,8 @@ polygons(int n)
 	return s;
 }
 
-/* In the formats with shared vertices soups are read back bit for bit, quads as quads, with (u,v) if
- * it was written; OFF never has it.  Writing what was read gives the same file. */
+/* Formats with shared vertices return soups bit for bit: polygons stay polygons, and (u,v) are kept
+ * if they were written; OFF cannot hold them.  Writing what was read gives the same file. */
 static void
 soup_round_trip(void **state)
 {
@@ -966,7 +972,8 @@ soup_round_trip(void **state)
 	}
 }
 
-/* Cut anywhere, or with a byte changed, a file is refused or gives a soup with finite (u,v). */
+/* A file with (u,v) that is cut anywhere or has a changed byte is refused, or gives a soup with
+ * finite (u,v). */
 static void
 damaged_uv(void **state)
 {

@@ -1,4 +1,5 @@
-/* test_misfit.c - the energy, its gradient and the products with its Jacobian. */
+/* test_misfit.c - misfit.h: the energy, its gradient, and products with J'J, where J is the
+ * Jacobian of the residuals. */
 #include "cmock.h"
 
 #include <omp.h>
@@ -16,7 +17,8 @@ static double phi[3*N], lambda[N], H[N], lambda2[N], l2H[N], nu[2][N], tau[2][N]
 static double d[3*N], e[3*N], g[3*N], f[3*N], moved[3*N];
 static Residue residue = { { nu[0], nu[1] }, { tau[0], tau[1] } };
 
-/* The torus patch, deformed by a wave, so that it is neither symmetric nor conformal. */
+/* Samples a torus patch, deformed by a wave so that it is neither symmetric nor conformal, and its
+ * lambda, H and residues. */
 static void
 surface_of_size(double size)
 {
@@ -73,7 +75,8 @@ energy_at(const Misfit *m, double t, const double *direction)
 	return misfit_energy(m, moved);
 }
 
-/* With residue channels the energy is 0; without them only its terms of conformality remain. */
+/* On the surface from which lambda and H were taken, the energy is 0 with residue channels; without
+ * them its terms of conformality remain. */
 static void
 energy_is_zero_at_the_surface(void **state)
 {
@@ -90,8 +93,9 @@ energy_is_zero_at_the_surface(void **state)
 	misfit_free(&m);
 }
 
-/* With residues the area element is known, so that each residual is a polynomial of degree 3 in phi, and E
- * one of degree 6: its seventh differences are 0, also across a surface without normals. */
+/* With residues the area element is known, each residual is a polynomial of degree 3 in phi, and E
+ * one of degree 6, so its seventh differences are 0.  The differences also pass the multiple 0 of
+ * phi, a surface without normals. */
 static void
 energy_with_residues_is_a_polynomial(void **state)
 {
@@ -104,7 +108,7 @@ energy_with_residues_is_a_polynomial(void **state)
 	surface_of_size(1);
 	m = misfit_of(&residue);
 	for (k = 0; k < 8; k++) {
-		E = energy_at(&m, (k - 4)/4.0, phi);            /* 0 times phi, .., 1.75 times */
+		E = energy_at(&m, (k - 4)/4.0, phi);            /* at 0, 0.25, .., 1.75 times phi */
 		sum += binomial[k]*E;
 		most = fmax(most, fabs(binomial[k]*E));
 	}
@@ -122,7 +126,7 @@ gradient_is_the_derivative(void **state)
 	(void)state;
 	surface_of_size(1);
 	m = misfit_of(NULL);
-	random_displacement(5, 0.001, e);               /* move away from the surface */
+	random_displacement(5, 0.001, e);               /* away from the surface */
 	for (k = 0; k < 3*N; k++)
 		phi[k] += e[k];
 	misfit_gradient(&m, phi, g);
@@ -134,7 +138,7 @@ gradient_is_the_derivative(void **state)
 	misfit_free(&m);
 }
 
-/* J'J is symmetric and, where the residuals are 0, the derivative of the gradient. */
+/* J'J is symmetric and, where the residuals are 0, it is the derivative of the gradient. */
 static void
 normal_matrix_is_that_of_the_gradient(void **state)
 {
@@ -164,7 +168,8 @@ normal_matrix_is_that_of_the_gradient(void **state)
 	misfit_free(&m);
 }
 
-/* On charts with joined sides, with residue channels, including tau, which is odd there. */
+/* The gradient is also right on charts with joined sides, with residue channels.  Among these is
+ * tau, which changes its sign across some joined sides. */
 static void
 gradient_beyond_joined_sides(void **state)
 {
@@ -197,7 +202,7 @@ gradient_beyond_joined_sides(void **state)
 	boundary_is_free = 0;
 }
 
-/* The same with free border nodes. */
+/* The gradient is the derivative of the energy also if the border nodes are free. */
 static void
 free_gradient_is_the_derivative(void **state)
 {
@@ -206,7 +211,7 @@ free_gradient_is_the_derivative(void **state)
 	boundary_is_free = 0;
 }
 
-/* J'J is symmetric, and rigid motions are in its null space. */
+/* If the border nodes are free, J'J is symmetric and rigid motions are in its null space. */
 static void
 free_normal_matrix_is_symmetric(void **state)
 {
@@ -226,7 +231,7 @@ free_normal_matrix_is_symmetric(void **state)
 	assert_true(field_dot(3*N, d, f) > 0);
 	for (p = 0; p < 3*N; p++)
 		most = fmax(most, fabs(f[p]));
-	for (p = 0; p < N; p++) {               /* (1,2,3) x phi + (4,5,6) */
+	for (p = 0; p < N; p++) {               /* a rigid motion: (1,2,3) x phi + (4,5,6) */
 		d[p] = 2*phi[2*N+p] - 3*phi[N+p] + 4;
 		d[N+p] = 3*phi[p] - phi[2*N+p] + 5;
 		d[2*N+p] = phi[N+p] - 2*phi[p] + 6;
@@ -239,7 +244,8 @@ free_normal_matrix_is_symmetric(void **state)
 	boundary_is_free = 0;
 }
 
-/* Each border node has its own term in the energy, 0 if its metric is lambda^2. */
+/* If the border is free, each border node has its own term in the energy, which is 0 if the metric
+ * there is lambda^2. */
 static void
 free_border_has_its_energy(void **state)
 {
@@ -290,7 +296,7 @@ energy_has_no_unit_of_length(void **state)
 	assert_true(fabs(E[1]/E[0] - 1) < 1e-9);
 }
 
-/* A node of weight 0 (lambda is 0 there, or H enormous) spoils nothing. */
+/* A node where lambda is tiny or H huge has a weight of almost 0, so the energy stays small. */
 static void
 nodes_without_weight_do_no_harm(void **state)
 {

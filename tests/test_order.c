@@ -1,4 +1,5 @@
-/* test_order.c - orders of elimination: the same for any number of threads, with little fill. */
+/* test_order.c - orders of elimination: they do not depend on the number of threads and cause
+ * little fill. */
 #include "cmock.h"
 
 #include <math.h>
@@ -77,7 +78,7 @@ every_graph_is_ordered(void **state)
 		}
 }
 
-/* Number of entries of the factor. */
+/* The number of entries of the Cholesky factor for this order. */
 static double
 fill(const Graph *g, const int *order)
 {
@@ -105,7 +106,7 @@ fill_of_minimum_degree(const Graph *g)
 	return entries;
 }
 
-/* INFINITY if CHOLMOD has no METIS. */
+/* The number of entries for the order of METIS, or INFINITY if CHOLMOD was built without METIS. */
 static double
 fill_of_metis(const Graph *g)
 {
@@ -144,8 +145,8 @@ mesh_graph(const char *kind, int n, Disk *d, Cotangent *C)
 	assert_int_equal(cotangent_init(C, d), 0);
 }
 
-/* For a path or a tree, two entries a column are least, as when leaves are eliminated first.  A
- * separator in the middle may cost one more. */
+/* On a path or a tree the least fill, reached if leaves are eliminated first, is two entries in
+ * each column.  An order that begins with a separator in the middle may need three. */
 static void
 little_fill_on_a_path(void **state)
 {
@@ -158,8 +159,8 @@ little_fill_on_a_path(void **state)
 	free(order), free(g.first), free(g.adj);
 }
 
-/* Nested dissection has less fill than minimum degree on large surfaces, also folded ones; a
- * rolled up strip is long and narrow, which suits minimum degree best. */
+/* Nested dissection has less fill than minimum degree on large surfaces, also folded ones.  The
+ * spiral, a long narrow strip, suits minimum degree best. */
 static void
 less_fill_than_minimum_degree(void **state)
 {
@@ -183,7 +184,8 @@ less_fill_than_minimum_degree(void **state)
 	}
 }
 
-/* A disk made of the cells (x,y) of a w x h array for which has() is true, each of two triangles. */
+/* A disk made of the cells (x,y) of a w x h array for which has(x,y) is true; each cell is cut into
+ * two triangles. */
 static void
 disk_of_cells(int w, int h, int (*has)(int x, int y), Disk *d)
 {
@@ -210,7 +212,7 @@ disk_of_cells(int w, int h, int (*has)(int x, int y), Disk *d)
 	free(s.xyz), free(s.idx), free(s.first);
 }
 
-/* n triangles round a hub; a spike if the hub is high. */
+/* n triangles around a central vertex, which is at this height. */
 static void
 disk_of_fan(int n, double height, Disk *d)
 {
@@ -232,11 +234,12 @@ disk_of_fan(int n, double height, Disk *d)
 	free(s.xyz), free(s.idx), free(s.first);
 }
 
-enum { MAZE = 12, CELLS = 2*MAZE - 1 };         /* MAZE rooms along a side, with walls between */
+enum { MAZE = 12, CELLS = 2*MAZE - 1 };         /* MAZE x MAZE rooms and walls */
 
 static unsigned char open_cell[CELLS][CELLS];
 
-/* Opens doors between rooms so that they form a random tree: a disk. */
+/* Opens doors between rooms so that rooms and doors form a random tree: the open cells are a
+ * disk. */
 static void
 carve_maze(unsigned seed)
 {
@@ -264,7 +267,7 @@ carve_maze(unsigned seed)
 	}
 }
 
-/* Opens a way from a corner to the middle. */
+/* Opens a spiral way from a corner to the middle. */
 static void
 carve_spiral(void)
 {
@@ -285,8 +288,8 @@ static int is_open(int x, int y) { return open_cell[y][x]; }
 static int strip(int x, int y) { (void)x, (void)y; return 1; }
 static int comb(int x, int y) { return y == 0 || x%2 == 0; }
 
-/* Splits triangles until there are about n vertices: all, or at random one in four and those at
- * hubs. */
+/* Splits triangles until there are about n vertices: all of them each time, or random ones and
+ * those at vertices of many triangles. */
 static void
 split_to(int n, int everywhere, Subdivision *s)
 {
@@ -310,7 +313,8 @@ split_to(int n, int everywhere, Subdivision *s)
 	}
 }
 
-/* The entries of the factor against those by CHOLMOD's methods. */
+/* Checks that the factor has less than 1.5 times as many entries as with the best method of
+ * CHOLMOD. */
 static void
 check_fill(const char *name, const Graph *g)
 {
@@ -326,7 +330,7 @@ check_fill(const char *name, const Graph *g)
 	free(order);
 }
 
-/* Splits d in both ways.  Frees d. */
+/* Checks the fill on d split in both ways of split_to.  Frees d. */
 static void
 check_split(const char *name, Disk *d)
 {
@@ -403,8 +407,10 @@ same_order_for_any_threads(void **state)
 	disk_free(&d);
 }
 
-/* Left and right thirds of a w x w grid, w = 30, with a passage of `gap` rows in the band
- * between: by Menger's theorem the smallest cut has gap vertices, and it must separate. */
+/* vertexcut must find a smallest separator between the left and the right third of a W x W grid.
+ * In the first `gap` rows it may pass anywhere in the band between them and needs one vertex in
+ * each row, by Menger's theorem; in the other rows it is fixed to one column.  So it has W
+ * vertices. */
 static void
 cut_is_smallest(void **state)
 {
@@ -417,10 +423,10 @@ cut_is_smallest(void **state)
 	for (gap = 1; gap <= W; gap += 7) {
 		for (i = 0; i < N; i++)
 			side[i] = i%W < 10 ? CUT_LEFT : i%W >= 20 ? CUT_RIGHT : CUT_SEPARATOR;
-		for (i = 0; i < N; i++)         /* a wall: left below the passage, right beyond */
+		for (i = 0; i < N; i++)         /* outside the passage the band belongs to both sides */
 			if (i/W >= gap && side[i] == CUT_SEPARATOR)
 				side[i] = i%W < 15 ? CUT_LEFT : CUT_RIGHT;
-		for (i = 0; i < N; i++)         /* which leaves a single column of the band in between */
+		for (i = 0; i < N; i++)         /* except for one column that separates them */
 			if (i/W >= gap && i%W == 15)
 				side[i] = CUT_SEPARATOR;
 		vertexcut(&g, side, work);

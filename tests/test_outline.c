@@ -1,4 +1,4 @@
-/* test_outline.c - outlines of smooth and ragged curves. */
+/* test_outline.c - outline.h: the outline of smooth and ragged closed curves. */
 #include "cmock.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 
 enum { N = 512, M = 3000 };
 
-/* A circle of radius r about (5,-3,2), its second half ragged: there its length is far more. */
+/* A circle of radius r about (5r,-3r,2r).  Its second half is ragged and therefore much longer. */
 static void
 circle(double r, double ragged, double *x)
 {
@@ -48,7 +48,8 @@ circles(void **state)
 	}
 }
 
-/* The ragged half of the circle has half the length of the outline. */
+/* Along the outline, the ragged half of the circle takes half the length, though the curve itself
+ * is much longer there. */
 static void
 ragged(void **state)
 {

@@ -24,7 +24,8 @@ count_crossings(const Intrinsic *t)
 	return n;
 }
 
-/* Every crossing lies between the ends of the edge of the mesh that crosses there. */
+/* Checks that every crossing is a vertex on the edge of the mesh that crosses there, between its
+ * ends. */
 static void
 check_crossings(const Intrinsic *t, const Disk *mesh, const Subdivision *s)
 {
@@ -49,7 +50,7 @@ check_crossings(const Intrinsic *t, const Disk *mesh, const Subdivision *s)
 	assert_int_equal(v, s->d.m.nv);
 }
 
-/* The area on the surface, and in (u,v), where no triangle is turned over. */
+/* Checks the area of m on the surface and in (u,v), and that no triangle is flipped in (u,v). */
 static void
 check_areas(double area, const Mesh *m, const double *u, const double *v, double T)
 {
@@ -67,7 +68,8 @@ check_areas(double area, const Mesh *m, const double *u, const double *v, double
 	assert_true(fabs(image/T - 1) < 1e-10);
 }
 
-/* Returns the number of crossings. */
+/* Checks the overlay of the mesh and its intrinsic triangulation.  Returns the number of
+ * crossings. */
 static size_t
 check_overlay(const Disk *d)
 {

@@ -1,4 +1,5 @@
-/* test_patch.c - the unresolved nodes: the matrix on them, and corrections that keep their residual 0. */
+/* test_patch.c - the unresolved nodes: the matrix on them, and corrections that keep their
+ * residual 0. */
 #include "cmock.h"
 
 #include <omp.h>
@@ -13,8 +14,8 @@ enum { NU = 46, NV = 58, N = NU*NV };
 
 static double phi[3*N], lambda2[N], l2H[N], z[3*N], q[3*N], d[3*N];
 
-/* A torus patch with noise; H is so large at a few nodes, also beside the sides, that they are not
- * resolved. */
+/* A torus patch with noise.  At a few nodes, some of them next to the border, H is so large that
+ * the grid does not resolve it. */
 static Misfit
 misfit_with_peaks(const ChartKind *kind)
 {
@@ -40,7 +41,7 @@ misfit_with_peaks(const ChartKind *kind)
 	return m;
 }
 
-/* The largest number of x on the nodes of S, or on the others. */
+/* The largest |x| on the unresolved nodes S, or if not `inside` on the other nodes. */
 static double
 largest_on(const Patch *p, int inside, const double *x)
 {
@@ -63,7 +64,7 @@ random_inner(const Misfit *m, double *x)
 		x[k] = stencil_is_inner(m->g, k%N%NU, k%N/NU) ? noise(&seed) : 0;
 }
 
-/* (A z)_S = 0 after a correction, on every kind of chart, and z is as before elsewhere. */
+/* After a correction (A z)_S = 0, and z is unchanged outside S, on every kind of chart. */
 static void
 corrected_directions_leave_no_residual(void **state)
 {
@@ -92,7 +93,7 @@ corrected_directions_leave_no_residual(void **state)
 	}
 }
 
-/* The start solves the equations on S alone, and predicts the decrease of E. */
+/* patch_start solves the equations on S alone and predicts the decrease of E. */
 static void
 start_solves_the_patch(void **state)
 {

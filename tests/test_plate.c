@@ -1,5 +1,5 @@
-/* test_plate.c - transforms against their defining sums, and plate_solve against the operator of
- * the plate. */
+/* test_plate.c - transforms are compared with their defining sums, and plate_solve with the
+ * operator that it inverts. */
 #include "cmock.h"
 
 #include <omp.h>
@@ -10,7 +10,7 @@
 
 typedef void Kernel(const Transform *t, double *f, double *work);
 
-/* Compares a transform of n numbers over N steps with its defining sum. */
+/* Checks a transform of n numbers, on N intervals, against the sum that defines it. */
 static void
 check_transform(Kernel *transform, int N, int n, double (*term)(int j, int k, int N))
 {
@@ -59,7 +59,7 @@ transforms_are_sums(void **state)
 	}
 }
 
-/* y = -Delta x on inner nodes, x 0 on the border. */
+/* y = -Delta x on the inner nodes; x must be 0 on the border. */
 static void
 minus_laplacian(Chart g, const double *x, double *y)
 {
@@ -113,7 +113,7 @@ mirrored(int i, int n)
 	return i < 0 ? -i : i >= n ? 2*(n - 1) - i : i;
 }
 
-/* y = -Delta x on all nodes, x mirrored at the border. */
+/* y = -Delta x on all nodes; beyond the border x is continued by reflection. */
 static void
 minus_laplacian_mirrored(Chart g, const double *x, double *y)
 {

@@ -1,4 +1,4 @@
-/* test_polish.c - locating points, harmonic functions on grids, and the polish of a map. */
+/* test_polish.c - locating points in a mesh, harmonic functions on grids, and polishing a map. */
 #include "cmock.h"
 
 #include <math.h>
@@ -53,7 +53,8 @@ laplace_is_its_own_adjoint(void **state)
 	gridlaplace_free(&l);
 }
 
-/* On a conformal plane the matrix is that of the plane, and the transforms invert it. */
+/* On a plane with conformal coordinates the matrix of the grid is the plane's Laplacian, which the
+ * transforms invert. */
 static void
 transforms_invert_the_plane(void **state)
 {
@@ -87,8 +88,8 @@ stretched(double u, double v)
 	return (Node){ { 2*u, v, 0 }, 0, 0 };
 }
 
-/* On a conformal surface the functions are u and v/T, the energies T and 1/T; on the plane
- * stretched twice along u they are the same functions, the energies T/2 and 2/T. */
+/* On a conformal surface the harmonic functions are u and v/T, with energies T and 1/T.  On the
+ * plane stretched by 2 along u they are the same, with energies T/2 and 2/T. */
 static void
 harmonic_functions_of_known_surfaces(void **state)
 {
@@ -117,7 +118,7 @@ harmonic_functions_of_known_surfaces(void **state)
 	}
 }
 
-/* Random points of a triangulated rectangle with some flat and some flipped triangles, where
+/* Points of a triangulated rectangle are located even if some triangles are flat or flipped, where
  * walking from triangle to triangle fails. */
 static void
 points_are_located(void **state)
@@ -139,7 +140,7 @@ points_are_located(void **state)
 		if (fabs(u[i] - 0.5) < 0.02 && fabs(v[i] - 0.3) < 0.02)
 			break;
 	u[i] = u[i+1], v[i] = v[i+1];
-	for (i = 0; i < d.m.nv; i++)            /* a vertex moved out of its ring */
+	for (i = 0; i < d.m.nv; i++)            /* a vertex outside the ring of its neighbours */
 		if (fabs(u[i] - 0.2) < 0.02 && fabs(v[i] - 0.4) < 0.02)
 			break;
 	u[i] += 0.15;
@@ -170,8 +171,8 @@ mean_mu(const Grid *a)
 	return stats_mean((size_t)(a->g.nu - 2)*(a->g.nv - 2), mu);
 }
 
-/* The map of a torus patch, deformed so that it is not conformal: polish recovers the conformal
- * map and T, and moves points with it. */
+/* The map of a torus patch is deformed so that it is not conformal.  Polishing recovers the
+ * conformal map and T, and moves given points with the map. */
 static void
 polish_finds_the_conformal_map(void **state)
 {
@@ -212,7 +213,7 @@ polish_finds_the_conformal_map(void **state)
 	disk_free(&d);
 }
 
-/* After any number of rounds the grid is at least as conformal as before. */
+/* After any number of rounds of polishing the grid is at least as conformal as before. */
 static void
 polish_never_harms(void **state)
 {

@@ -1,4 +1,5 @@
-/* test_procrustes.c - known motions are found, never as reflections. */
+/* test_procrustes.c - procrustes.h: known rigid motions are found, and the result is never a
+ * reflection. */
 #include "cmock.h"
 
 #include <math.h>
@@ -104,7 +105,8 @@ misfit(int n, const double *w, const double *a, const double *b, const Rigid *r)
 	return sum;
 }
 
-/* No small change of the motion gives a smaller rms, and rms is that of the motion returned. */
+/* The motion is a minimum: no small change of it gives a smaller rms.  The rms returned is that of
+ * the motion returned. */
 static void
 minimum(void **state)
 {
@@ -137,7 +139,8 @@ minimum(void **state)
 	}
 }
 
-/* A mirror image fits exactly only by a reflection in space; in a plane also by a rotation. */
+/* For a mirror image procrustes still returns a rotation.  In space it does not fit exactly, in a
+ * plane it does. */
 static void
 no_reflection(void **state)
 {
@@ -160,7 +163,7 @@ no_reflection(void **state)
 	assert_true(rms < 1e-14);
 }
 
-/* Points on a line, a single point, and points that are not finite. */
+/* Degenerate input: collinear points, a single point, and points that are not finite. */
 static void
 degenerate_points(void **state)
 {

@@ -1,4 +1,4 @@
-/* test_resample.c - interpolation is exact on cubics, averaging on straight lines. */
+/* test_resample.c - resample.h: interpolation is exact on cubics, averaging on linear functions. */
 #include "cmock.h"
 
 #include "../lib/grid/resample.h"
@@ -28,7 +28,8 @@ fill(Chart g, const double end[2], double (*f)(double, double), double *x)
 			x[j*g.nu+i] = f(i*end[0]/(g.nu - 1), j*end[1]*g.T/(g.nv - 1));
 }
 
-/* Onto finer, coarser and odd grids, and from a lattice that ends before the border. */
+/* Interpolation is exact on cubics, to finer and coarser grids, and from a lattice that ends before
+ * the border. */
 static void
 cubics_are_exact(void **state)
 {
@@ -84,7 +85,8 @@ means_keep_what_is_straight(void **state)
 	}
 }
 
-/* A field that alternates from node to node cannot be represented by half the nodes. */
+/* Averaging removes a field that alternates in sign from node to node, which the coarse grid cannot
+ * represent. */
 static void
 means_drop_alternating_fields(void **state)
 {

@@ -1,5 +1,5 @@
-/* test_sampler.c - the smooth surface with facets near turned triangles, and the corners of the
- * chart. */
+/* test_sampler.c - the smooth surface is replaced by facets near flipped triangles; the corners
+ * of the chart are vertices. */
 #include "cmock.h"
 
 #include <math.h>
@@ -13,8 +13,8 @@
 
 enum { POINTS = 400, A = 4, B = 5, C = POINTS };
 
-/* A point of the unit square in the chart: a dent below the middle, in which the thin triangle A B
- * C is turned over if drawn straight. */
+/* The map of the test: the (u,v) of the point (x,y) of the unit square.  It has a dent in the
+ * middle, which flips the thin triangle A B C in (u,v). */
 static void
 warp(double x, double y, double *u, double *v)
 {
@@ -24,8 +24,9 @@ warp(double x, double y, double *u, double *v)
 	*v = y - .04*exp(-r2)*16*x*(1 - x)*y*(1 - y);
 }
 
-/* Random points of the square, none near A B but these two, and C just above the middle of A B:
- * the graph of a smooth function, u, v: the map. */
+/* A disk on the graph of a smooth function over the unit square.  Its vertices are random points,
+ * of which only A, B, and C just above the middle of A B, are near the dent.  *u, *v get the
+ * map. */
 static void
 make_dented(Disk *d, double **u, double **v)
 {
@@ -65,7 +66,7 @@ make_dented(Disk *d, double **u, double **v)
 		warp(xy[i][0], xy[i][1], &(*u)[i], &(*v)[i]);
 }
 
-/* The same on a finer mesh, where no triangle is turned. */
+/* The same disk and map on a finer mesh, where no triangle is flipped. */
 typedef struct Fine {
 	Subdivision s;
 	double     *u, *v;
@@ -87,12 +88,13 @@ make_fine(const Disk *d, Fine *f)
 
 enum { SIDE = 41, NODES = SIDE*SIDE };
 
-/* A grid of nodes, all of phi and of one channel. */
+/* Nodes at x, y, and the samples of phi and of one channel there. */
 typedef struct Sampled {
 	double x[NODES], y[NODES], phi[3][NODES], channel[NODES];
 } Sampled;
 
-/* With fine: facets near turned triangles.  At the nodes x, y of s. */
+/* Samples the smooth surface and a channel at the nodes x, y of s.  If fine is not NULL, there are
+ * facets near flipped triangles. */
 static void
 sample(const Disk *d, const double *u, const double *v, const Fine *fine, Sampled *s)
 {
@@ -112,7 +114,7 @@ sample(const Disk *d, const double *u, const double *v, const Fine *fine, Sample
 	sampler_free(&sampler);
 }
 
-/* Whether a place is at the side of the chart, farther from A B C than any neighbour of these. */
+/* Whether (x,y) is farther from the dent than all triangles at A, B and C. */
 static int
 is_far(const Disk *d, double x, double y)
 {
@@ -162,7 +164,7 @@ facets_only_near_a_turned_triangle(void **state)
 	disk_free(&d);
 }
 
-/* Barycentric coordinates in A B C of (x,y); 1 inside. */
+/* Barycentric coordinates of (x,y) in triangle A B C.  Returns 1 if the point is inside it. */
 static int
 within(const Mesh *m, double x, double y, double w[3])
 {
@@ -175,8 +177,8 @@ within(const Mesh *m, double x, double y, double w[3])
 	return fmin(w[0], fmin(w[1], w[2])) > -1e-9;
 }
 
-/* Nodes at the vertices of the finer mesh in A B C: there the surface is that facet, and the
- * channel is linear. */
+/* On the flipped triangle A B C the sampled surface is the flat triangle, and the channel is
+ * linear.  The nodes are the vertices of the finer mesh in A B C. */
 static void
 facets_at_a_turned_triangle(void **state)
 {
@@ -210,9 +212,9 @@ facets_at_a_turned_triangle(void **state)
 	disk_free(&d);
 }
 
-/* A square each of whose corners is cut off by an edge at a distance of 1e-12 in the chart: the
- * corner is within the tolerance of the walk in the triangle beyond that edge, too.  The node
- * there is the vertex all the same. */
+/* A node at a corner of the chart gets exactly the vertex there, even if an edge passes the corner
+ * at a distance of 1e-12.  Then the corner is, within the tolerance of the search, also in the
+ * triangle beyond that edge. */
 static void
 corners_are_vertices(void **state)
 {
@@ -226,7 +228,7 @@ corners_are_vertices(void **state)
 	for (k = 0; k < 4; k++) {
 		const double *x = at[k], *y = at[(k+1)%4], *z = at[(k+3)%4];
 		double a[4][2];
-		int n[4] = { k, 4 + 3*k, 5 + 3*k, 6 + 3*k };    /* the corner, beside it on the sides, within */
+		int n[4] = { k, 4 + 3*k, 5 + 3*k, 6 + 3*k };    /* corner, two on sides, inside */
 
 		for (i = 0; i < 2; i++) {
 			a[0][i] = 0;

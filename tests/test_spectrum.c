@@ -1,4 +1,4 @@
-/* test_spectrum.c - Fourier coefficients and the effect of dropping some. */
+/* test_spectrum.c - spectrum.h: Fourier coefficients, and filters that drop some of them. */
 #include "cmock.h"
 
 #include "../lib/morph/blend.h"
@@ -41,8 +41,9 @@ inverse_undoes_forward(void **state)
 	}
 }
 
-/* <F f, F h> = N <f, h>, where a coefficient that stands for a conjugate pair counts twice; and C_00
- * is the sum of f.  The last column of the dft counts once if nu is even, twice if it is odd. */
+/* Parseval: <F f, F h> = N <f, h>, where a coefficient that stands for a conjugate pair counts
+ * twice; and C_00 is the sum of f.  The last column of the dft counts once if nu is even and twice
+ * if it is odd. */
 static void
 parseval(void **state)
 {
@@ -71,8 +72,8 @@ parseval(void **state)
 	}
 }
 
-/* A wave of the basis, of frequencies 3 in i and 2 in j.  The dft has two coefficients of
- * nu nv amplitude/2 at (3,2) and (-3,-2), the dct one of nu nv amplitude/2 at (3,2). */
+/* A constant plus a wave of the basis with frequency 3 in i and 2 in j.  Its dft has the
+ * coefficients nu nv amplitude/2 at (3,2) and (-3,-2), its dct has nu nv amplitude/2 at (3,2). */
 static void
 wave(Spectrum s, double mean, double amplitude, double *f)
 {
@@ -105,7 +106,8 @@ a_wave_is_one_coefficient_or_a_pair(void **state)
 	}
 }
 
-/* The coefficients of a wave that a bound keeps, just below and just above |C|. */
+/* Checks that `rule` keeps the wave if the bound is just below `at`, and drops it if the bound is
+ * just above. */
 static void
 straddle(Spectrum s, FilterRule rule, double at, int log, double mean, double amplitude)
 {
@@ -127,8 +129,9 @@ straddle(Spectrum s, FilterRule rule, double at, int log, double mean, double am
 	assert_true(largest(N, f, flat) < 1e-12*flat[0]);
 }
 
-/* |C|/(n rms) of 5 + 2 wave: 1/sqrt(27) in the dft; in the dct, whose wave has the mean
- * square 1/4, 1/sqrt(26).  Of log f, without the mean: 1/sqrt 2, and 1. */
+/* FILTER_PERCENT compares |C|/(n rms) with the bound.  For 5 + 2 wave this is 1/sqrt(27) in the dft
+ * and 1/sqrt(26) in the dct, whose wave has mean square 1/4.  With logarithms the mean is left out:
+ * then it is 1/sqrt(2) and 1. */
 static void
 percent_of_the_root_mean_square(void **state)
 {
@@ -182,7 +185,8 @@ variance(const double *f, const double *from)
 	return sum;
 }
 
-/* The coefficients kept hold the share of the energy; without the last of them they do not. */
+/* FILTER_ENERGY keeps just as many coefficients as hold the given share of the energy: with one
+ * fewer, or one conjugate pair, they do not. */
 static void
 energy_holds_the_share(void **state)
 {
@@ -205,7 +209,7 @@ energy_holds_the_share(void **state)
 		assert_true(variance(f, g) <= 0.4*variance(f, NULL));
 		filter(s, FILTER_KEEP, kept - (b ? 2 : 1), 0, h, &fewer);
 		assert_true(variance(h, NULL) < 0.6*variance(f, NULL));
-		for (p = 0; p < N; p++)         /* most of it below rounding */
+		for (p = 0; p < N; p++)         /* most coefficients are now below rounding */
 			f[p] += 1e10*cos(2*M_PI*(p%NU + 0.5)/NU);
 		filter(s, FILTER_ENERGY, 1, 0, f, &kept);
 		assert_int_equal(kept, N);
@@ -214,8 +218,9 @@ energy_holds_the_share(void **state)
 	}
 }
 
-/* f is a sum of cosines of known wave numbers in (u,v), and R between these separates them.  The
- * nodes cover nu h x nv k, a cell more than the chart; on that the cosines are whole waves. */
+/* The low pass separates two cosines if its bound R is between their wave numbers in (u,v).  The
+ * transform has the periods nu h and nv k, one cell more than the chart; the cosines are whole
+ * waves on them. */
 static void
 low_pass_separates_waves(void **state)
 {
@@ -227,7 +232,7 @@ low_pass_separates_waves(void **state)
 	(void)state;
 	for (i = 0; i < 4; i++) {
 		dft = i%2;
-		for (p = 0; p < N; p++) {       /* wave numbers |(a,b)| and a, halved in the dct */
+		for (p = 0; p < N; p++) {       /* wave numbers a and |(a,b)|, in the dct half of them */
 			double u = (p%NU + 0.5)*h, v = (p/NU + 0.5)*k, w = dft ? 2*M_PI : M_PI;
 
 			low[p] = 4 + cos(w*a*u);
@@ -246,7 +251,8 @@ low_pass_separates_waves(void **state)
 	}
 }
 
-/* A field of lengths keeps the same waves of its logarithm in metres and in millimetres. */
+/* Filtering with logarithms keeps the same waves whether a field of lengths is in metres or in
+ * millimetres. */
 static void
 log_is_free_of_the_unit(void **state)
 {
@@ -298,7 +304,8 @@ filter_projects(void **state)
 	}
 }
 
-/* Including fields with coefficients of 0, and with none above the bound. */
+/* A bound of 0 changes no bit of the field, with or without logarithms; also if some coefficients
+ * are exactly 0 and are not kept. */
 static void
 bound_zero_keeps_every_bit(void **state)
 {

@@ -1,4 +1,5 @@
-/* test_stencil.c - differences, on the rectangle and on charts with joined sides. */
+/* test_stencil.c - stencil.h: finite differences on the rectangle and on charts with joined
+ * sides. */
 #include "cmock.h"
 
 #include "../lib/grid/stencil.h"
@@ -16,7 +17,8 @@ chart(const ChartKind *kind)
 	return (Chart){ NU, NV, 0.7, kind };
 }
 
-/* Node i along an axis, also beyond the chart: nodes are half a step from a joined side. */
+/* The coordinate of node i along an axis, also beyond the chart.  Next to a joined side, nodes are
+ * half a step away from it. */
 static double
 place(Chart g, int axis, int i)
 {
@@ -68,7 +70,7 @@ wave(Chart g, double u, double v)
 	return sin(3*u + v);
 }
 
-/* Beyond a side the values are those of the field continued across it. */
+/* Differences at a joined side use the values of the field continued across it. */
 static void
 neighbours_beyond_joined_sides(void **state)
 {
@@ -157,7 +159,8 @@ four_at_a_time_are_as_one(void **state)
 	}
 }
 
-/* Row j of y at the nodes of complete stencils, 0 elsewhere; odd fields with their sign. */
+/* Row j of y, continued across joined sides, with 0 at nodes that have no complete stencil.  An odd
+ * field changes its sign where the chart says so. */
 static void
 row_of(Chart g, const double *y, int odd, int j, double row[NU + 2])
 {
@@ -176,7 +179,8 @@ row_of(Chart g, const double *y, int odd, int j, double row[NU + 2])
 	}
 }
 
-/* <D x, y> = <x, D' y> for random x on all nodes and y on the inner ones. */
+/* The transposed stencils are the adjoint of the stencils: <D x, y> = <x, D' y> for random x on all
+ * nodes and random y on the inner nodes. */
 static void
 transpose_is_the_adjoint(void **state)
 {

@@ -1,5 +1,5 @@
-/* test_subdivision.c - points added to a disk: it stays a disk of the same surface, on which
- * linear functions stay linear. */
+/* test_subdivision.c - subdivision.h: a disk to which points are added is still a disk with the
+ * same surface, and linear functions are extended to the new vertices. */
 #include "cmock.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@
 #include "disks.h"
 #include "synthdisk.h"
 
-/* Points to add, and how many of them are new vertices; of those, how many are on the boundary. */
+/* n points to add; `apart` of them give new vertices, `boundary` of these on the boundary. */
 typedef struct Chosen {
 	SurfacePoint *point;
 	int           n, apart, boundary;
@@ -23,8 +23,8 @@ choose(Chosen *c, SurfacePoint p)
 	c->point[c->n++] = p;
 }
 
-/* Up to four points on every third side, at places a quarter apart, each from either of its
- * triangles; some of them twice, some at the ends. */
+/* Chooses up to four points, one in each quarter, on about every third edge, given in either of the
+ * two triangles; some points twice, some at the ends of the edge. */
 static void
 choose_on_sides(const Disk *d, uint64_t *rng, Chosen *c)
 {
@@ -103,7 +103,7 @@ perimeter(const Disk *d)
 	return sum;
 }
 
-/* A vertex of m lies at every chosen point. */
+/* Checks that there is a vertex of m at every chosen point. */
 static void
 check_places(const Disk *d, const Chosen *c, const Mesh *m)
 {
@@ -123,7 +123,8 @@ check_places(const Disk *d, const Chosen *c, const Mesh *m)
 	}
 }
 
-/* Two linear functions of the place, given at the first vertices, are the same at all. */
+/* Checks that subdivision_extend extends two linear functions of the position exactly from the
+ * given vertices to all. */
 static void
 check_linear(const Subdivision *s)
 {
@@ -148,8 +149,8 @@ check_linear(const Subdivision *s)
 	free(f);
 }
 
-/* inner is equal on both sides of an edge, and 0 on the pieces of given edges; their number follows
- * from that of the points on edges. */
+/* Checks that `inner` is equal on both sides of an edge, and that it is 0 on as many edges as there
+ * are pieces of given edges. */
 static void
 check_inner(const Subdivision *s, int given)
 {
@@ -223,7 +224,7 @@ points_are_added(void **state)
 	}
 }
 
-/* Twice the area of triangle f of the plane. */
+/* Twice the signed area of triangle f of a mesh in the plane. */
 static double
 area(const Mesh *m, int f)
 {
@@ -232,7 +233,7 @@ area(const Mesh *m, int f)
 	return (b[0] - a[0])*(c[1] - a[1]) - (b[1] - a[1])*(c[0] - a[0]);
 }
 
-/* In the plane: no triangle is turned over, up to rounding. */
+/* On a disk in the plane no triangle of the subdivision is flipped, up to rounding. */
 static void
 no_triangle_is_turned(void **state)
 {
@@ -280,7 +281,8 @@ nothing_to_add(void **state)
 	disk_free(&d);
 }
 
-/* Some faces, then all, are split after points were added. */
+/* Linear functions are also extended exactly if faces are split after points were added: first some
+ * faces, then all. */
 static void
 refined_is_linear(void **state)
 {

@@ -1,4 +1,4 @@
-/* test_surface.c - the surface method returns the surface whose lambda and H it was given. */
+/* test_surface.c - surface.h: the surface method reconstructs the surface from its lambda and H. */
 #include "cmock.h"
 
 #include <omp.h>
@@ -25,7 +25,8 @@ sample(Immersion *f, Chart g, double *phi)
 	sample_immersion(f, g, 1, x, NULL, NULL);
 }
 
-/* lambda, H, residue channels and lattice of the exact surface. */
+/* The input of the method for a known surface: lambda, H, residue channels and the coarse lattice
+ * of positions from which the method starts. */
 static Surface
 given(Immersion *f, Chart g)
 {
@@ -41,8 +42,8 @@ given(Immersion *f, Chart g)
 		.start = start };
 }
 
-/* Reconstructs from the given fields and `rings` rings; returns the largest difference to the
- * exact surface. */
+/* Reconstructs the surface from the given fields and the outermost `rings` rings of nodes.  Returns
+ * the largest difference from the exact surface. */
 static double
 reconstruct(const Surface *s, int rings, const FitOptions *o)
 {
@@ -72,7 +73,7 @@ surfaces_come_back(void **state)
 	}
 }
 
-/* The only error is that differences are not derivatives: it falls with the square of h. */
+/* The error is of second order: it comes only from replacing derivatives by differences. */
 static void
 error_is_of_second_order(void **state)
 {
@@ -101,7 +102,8 @@ residue_gives_the_surface_itself(void **state)
 	assert_true(reconstruct(&s, 1, &EXACT) < 1e-9);
 }
 
-/* The start selects one of several solutions and has no other influence; nor has its origin. */
+/* The start only selects one of several solutions.  The result is the same with a disturbed start,
+ * with a start on the full grid, and with three rings of nodes and no start. */
 static void
 start_does_not_change_the_result(void **state)
 {
@@ -127,7 +129,8 @@ start_does_not_change_the_result(void **state)
 	assert_true(largest(n, kept, found) < 1e-7);
 }
 
-/* A unit of length that is a power of two changes no bit. */
+/* If all lengths are multiplied by a power of two, the result is multiplied too, without any change
+ * of its other bits. */
 static void
 unit_of_length_changes_nothing(void **state)
 {
@@ -176,9 +179,10 @@ threads_change_no_bit(void **state)
 
 static const FitOptions PATIENT = { .tolerance = 1e-8, .most = 200, .sharpen = 1 };
 
-/* Inversions keep a map conformal.  That of a minimal surface has an H that varies, whereas
- * Enneper's surface has associates with the same lambda and H, and a sphere bends to first
- * order. */
+/* Enneper's surface, inverted in a sphere.  It has a conformal map too, and H varies on it.
+ * Enneper's surface itself does not suit a test with a free boundary, because its associate
+ * surfaces have the same lambda and H; nor does a sphere, which can be bent to first order without
+ * changing them. */
 static Node
 inverted(Node a)
 {
@@ -193,8 +197,9 @@ inverted_enneper(double u, double v)
 	return inverted(enneper(u, v));
 }
 
-/* Reconstructs with a free boundary, placed by the band or, for 0 rings, by the start alone.
- * Returns the largest difference to the exact surface up to a rigid motion. */
+/* Reconstructs with a free boundary.  The given rings or, for 0 rings, the start determine where
+ * the surface lies.  Returns the largest difference from the exact surface after the best rigid
+ * motion. */
 static double
 reconstruct_free(Surface *s, int rings)
 {
@@ -221,7 +226,8 @@ reconstruct_free(Surface *s, int rings)
 	return error;
 }
 
-/* None of these surfaces bends with H kept, so the only error is truncation. */
+/* With a free boundary the error is of second order too, on a surface that cannot be bent without
+ * changing lambda or H. */
 static void
 free_surfaces_come_back_of_second_order(void **state)
 {
@@ -252,7 +258,8 @@ turn(size_t n, double *x)
 	}
 }
 
-/* Moving the band or the start moves the surface, and changes nothing else. */
+/* A surface with a free boundary moves rigidly with its band or, if it has no band, with its start.
+ * If it has a band, moving the start changes nothing. */
 static void
 free_surface_moves_with_its_band_or_start(void **state)
 {
@@ -261,7 +268,7 @@ free_surface_moves_with_its_band_or_start(void **state)
 	int k;
 
 	(void)state;
-	for (k = 0; k < 3; k++) {               /* what is turned: the start; the band; the
+	for (k = 0; k < 3; k++) {               /* what is moved: the start; the band; the
 	                                         * start, without a band */
 		s = given(torus, ROUGH);
 		if (k != 1)
@@ -278,7 +285,8 @@ free_surface_moves_with_its_band_or_start(void **state)
 	}
 }
 
-/* From three rings without a start, the same surface. */
+/* With three rings of nodes and no start, a free boundary gives the same surface as with a
+ * start. */
 static void
 free_surface_starts_from_its_band(void **state)
 {
@@ -353,8 +361,8 @@ misfit_of(const Surface *s)
 	return m;
 }
 
-/* Weights are sharp after the first step if the start has the metric, even while E falls steeply;
- * they are not if the start is far from it. */
+/* After the first step the weights are sharp if the start has nearly the given metric, even if E
+ * still decreases fast; they are not sharp if the start is far from this metric. */
 static void
 weights_are_sharp_once_the_metric_fits(void **state)
 {
@@ -377,8 +385,8 @@ weights_are_sharp_once_the_metric_fits(void **state)
 	}
 }
 
-/* If the detail that the finest grid adds to the coarse ones is known, hardly a step is
- * needed. */
+/* If the detail that the finest grid adds to the coarser grids is given, the method needs hardly
+ * any step. */
 static void
 known_detail_needs_hardly_a_step(void **state)
 {
@@ -427,7 +435,8 @@ count_falls(void *ctx, const FitProgress *at)
 	f->E = at->energy;
 }
 
-/* From a start so rough that full steps overshoot, each step is shortened and lowers E. */
+/* From a start so rough that full steps overshoot, the steps are shortened, so that each of them
+ * lowers E. */
 static void
 steps_that_overshoot_are_shortened(void **state)
 {
@@ -463,7 +472,7 @@ too_few_steps_are_reported(void **state)
 	assert_true(at.change > 0 && at.energy > 0 && at.worst > (size_t)COARSE.nu);
 }
 
-/* An energy that overflows is reported, not returned as a solution. */
+/* If the energy overflows, this is reported; the result is not passed off as a solution. */
 static void
 overflow_is_reported(void **state)
 {

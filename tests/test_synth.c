@@ -1,5 +1,5 @@
-/* test_synth.c - synth.h: formulas against differences of phi, meshes against the definition of a
- * triangulated disk. */
+/* test_synth.c - synth.h: the formulas of the surfaces agree with differences of phi, and the
+ * meshes are disks on the surfaces. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -39,7 +39,7 @@ diffs(const Synth *s, double x, double y, double h)
 	return d;
 }
 
-/* A random point of the domain, at a small distance from its border. */
+/* A random point of the domain that is not too close to the border of its box. */
 static void
 random_point(const SynthDomain *d, uint64_t *rng, double *x, double *y)
 {
@@ -93,8 +93,8 @@ formulas_match_differences(void **state)
 	assert_true(seen >= 10);
 }
 
-/* The same for other parameters than the defaults, so that two exchanged parameters or one left
- * out would show. */
+/* The formulas also hold for parameters other than the defaults: a formula that exchanges two
+ * parameters or forgets one would fail. */
 static void
 formulas_hold_for_other_parameters(void **state)
 {
@@ -115,7 +115,7 @@ formulas_hold_for_other_parameters(void **state)
 	}
 }
 
-/* The normal n of a closed surface around the origin points outward. */
+/* On surfaces around the origin or an axis, the normal points outward. */
 static void
 normals_point_out(void **state)
 {
@@ -181,11 +181,11 @@ parameters_are_checked(void **state)
 	assert_int_equal(synth_set(&s, "r0", 0), SYNTH_ERANGE);
 	assert_int_equal(synth_set(&s, "r0", NAN), SYNTH_ERANGE);
 	assert_int_equal(synth_set(&s, "r0", 5), 0);
-	assert_int_equal(synth_domain(&s, &d), SYNTH_EDOMAIN);  /* r1 is 3 */
+	assert_int_equal(synth_domain(&s, &d), SYNTH_EDOMAIN);  /* r0 = 5 > r1 = 3 */
 	assert_int_equal(synth_set(&s, "r1", 6), 0);
 	assert_int_equal(synth_domain(&s, &d), 0);
 	assert_int_equal(synth_init(&s, "torus"), 0);
-	assert_int_equal(synth_set(&s, "r", 2), 0);             /* as R */
+	assert_int_equal(synth_set(&s, "r", 2), 0);             /* r = R */
 	assert_int_equal(synth_domain(&s, &d), SYNTH_EDOMAIN);
 }
 
@@ -195,7 +195,7 @@ by_edge(const void *a, const void *b)
 	return memcmp(a, b, 2*sizeof(int));
 }
 
-/* All directed edges of m, sorted. */
+/* The directed edges of m as pairs of vertices, sorted. */
 static int *
 edges(const Mesh *m)
 {
@@ -211,9 +211,9 @@ edges(const Mesh *m)
 	return e;
 }
 
-/* A disk: oriented, each directed edge once, a single loop of edges without a twin, Euler
- * characteristic 1, no unused vertex.  That it is connected does not quite follow from these, but
- * from the Delaunay triangulation. */
+/* Checks that m is an oriented disk: each directed edge occurs once, the edges without a twin form
+ * a single loop, the Euler characteristic is 1, and every vertex is used.  It does not check that
+ * m is connected; a Delaunay triangulation is. */
 static void
 check_disk(const Mesh *m)
 {
@@ -295,7 +295,7 @@ meshes_are_disks(void **state)
 		}
 }
 
-/* For any small number of vertices the result is a disk or a refusal. */
+/* For every small number of vertices synth_mesh makes a disk or returns SYNTH_EMESH. */
 static void
 few_vertices(void **state)
 {
@@ -317,7 +317,8 @@ few_vertices(void **state)
 		}
 }
 
-/* Vertices 0 1 2 3 are where synth.h says; (u,v) is the point of the box, 0..1. */
+/* Checks that vertices 0 1 2 3 are the corners stated in synth.h; at[][] are their positions in the
+ * box of the domain, from 0 to 1. */
 static void
 check_corners(const SynthDomain *d, const double *xy)
 {
@@ -335,8 +336,8 @@ check_corners(const SynthDomain *d, const double *xy)
 	}
 }
 
-/* Vertices are phi at their parameters, corners first, and faces are oriented along phi_x x
- * phi_y. */
+/* Every vertex is phi of its parameters, the corners come first, and the normals of the faces point
+ * along phi_x x phi_y. */
 static void
 vertices_lie_on_the_surface(void **state)
 {
@@ -400,7 +401,7 @@ equal_seeds_give_equal_meshes(void **state)
 	mesh_free(&c);
 }
 
-/* The integral of |phi_x x phi_y| by the midpoint rule. */
+/* The area of the surface: the integral of |phi_x x phi_y| by the midpoint rule. */
 static double
 true_area(const Synth *s, const SynthDomain *d)
 {
@@ -427,7 +428,8 @@ true_area(const Synth *s, const SynthDomain *d)
 	return sum;
 }
 
-/* The error of the area falls with the area of the triangles. */
+/* The area of the mesh converges to that of the surface; its error decreases like the area of the
+ * triangles, unless it is already small. */
 static void
 area_converges(void **state)
 {
@@ -453,8 +455,8 @@ area_converges(void **state)
 	}
 }
 
-/* Triangles are of similar size where the parametrisation is conformal, though lambda varies: the
- * longest edge is less than four times the shortest. */
+/* On surfaces with conformal parameters the triangles are of similar size, though lambda varies:
+ * the longest edge is less than four times the shortest. */
 static void
 meshes_are_even(void **state)
 {

@@ -11,7 +11,7 @@
 
 enum { BAND = 3 };      /* rings that the frame method of lh2grid needs */
 
-/* Adds the channels PREFIX.x, PREFIX.y, PREFIX.z of this support. */
+/* Adds the positions phi as channels PREFIX.x, PREFIX.y, PREFIX.z on the nodes of this support. */
 static void
 add_positions(Lhg *g, const char *prefix, int support, int step, const double *const phi[3])
 {
@@ -26,7 +26,8 @@ add_positions(Lhg *g, const char *prefix, int support, int step, const double *c
 	}
 }
 
-/* Steps between the nodes of a lattice of about n nodes along the shorter side. */
+/* The number of grid steps between neighbouring nodes of a lattice with about n nodes along the
+ * shorter side. */
 static int
 lattice_step(const Lhg *g, int n)
 {

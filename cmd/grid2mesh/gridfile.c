@@ -53,7 +53,8 @@ mesh_of_grid(const CmdInput *in, const Lhg *g, const double *const phi[3], const
 	mesh_free(&m);
 }
 
-/* The waves of the filter that the grid went through, in cycles per width; 0: none. */
+/* The metadatum waves of a filtered grid: the wave number up to which the filter kept detail, in
+ * cycles per width of the rectangle; 0 if the grid was not filtered. */
 static double
 waves_of(const CmdInput *in, const Lhg *g)
 {
@@ -71,8 +72,8 @@ waves_of(const CmdInput *in, const Lhg *g)
 	return waves;
 }
 
-/* The offsets o in the channel MESH_OFFSET of s, those short against a wave made shorter by the square
- * of the ratio.  The width of the rectangle is the unit of o. */
+/* The offsets o in the channel MESH_OFFSET of s, those short against a wave made shorter by the
+ * square of the ratio.  The width of the rectangle is the unit of o. */
 static void
 add_offsets(const OnMesh *on, double waves, const double *o, Soup *s)
 {
@@ -90,7 +91,7 @@ add_offsets(const OnMesh *on, double waves, const double *o, Soup *s)
 	}
 }
 
-/* Moves the vertices of s, at their (u,v), by its offsets. */
+/* Moves the vertices of s by its offsets, each in the frame of the grid at the vertex's (u,v). */
 static void
 offset_vertices(const OnMesh *on, Chart g, const double *const phi[3], const double *uv, Soup *s)
 {
@@ -113,7 +114,7 @@ offset_vertices(const OnMesh *on, Chart g, const double *const phi[3], const dou
 	detail_free(&d);
 }
 
-/* s becomes the mesh of on, its vertices at their (u,v) on the grid. */
+/* Sets s to the mesh of `on`, with its vertices moved to their (u,v) on the grid. */
 static void
 place_mesh(const CmdInput *in, const Lhg *g, const double *const phi[3], const OnMesh *on, Soup *s)
 {

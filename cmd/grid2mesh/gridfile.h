@@ -5,10 +5,10 @@
 #include "../../lib/meshfile/meshformat.h"
 #include "../shared/cmd.h"
 
-/* What becomes of the offsets of the mesh of --on. */
+/* What is done with the offsets of the mesh of --on. */
 enum { OFFSETS_KEEP, OFFSETS_DROP, OFFSETS_SMOOTH };
 
-/* The mesh of --on; name NULL: none. */
+/* The mesh of --on; name is NULL if the option is not given. */
 typedef struct OnMesh {
 	const char *name;
 	int    offsets;
@@ -19,9 +19,9 @@ typedef struct OnMesh {
  * if the option --detail is given (offsets >= 0), that there are no offsets. */
 void gridfile_read_mesh(const char *path, int offsets, OnMesh *on);
 
-/* The bytes of a mesh file of that format, or die: the nodes of the grid and two triangles for each
- * cell; or the faces of the mesh of on with its vertices moved to their (u,v) on the grid, and by their
- * offsets. */
+/* Makes the bytes of a mesh file of that format, or dies.  Without a mesh in `on`, the mesh has the
+ * nodes of the grid and two triangles for each cell.  Otherwise it has the faces of that mesh, with
+ * the vertices at their (u,v) on the grid and moved by their offsets. */
 void gridfile_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const MeshFormat *format,
 	char **bytes, size_t *n);
 

@@ -4,8 +4,8 @@
 
 #include "../shared/cmd.h"
 
-/* Copies the outer nodes of band.x band.y band.z into phi [3][nv][nu]; dies if they have fewer
- * rings than these. */
+/* Copies the nodes of the outer `rings` rings from band.x band.y band.z to phi[3][nv][nu].  Dies if
+ * the band has fewer rings. */
 void band_read(const CmdInput *in, const Lhg *g, int rings, double *phi);
 
 /* Adds x y z from phi [3][nv][nu] and removes all channels that lh2grid reads. */

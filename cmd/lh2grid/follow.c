@@ -1,7 +1,7 @@
 /* follow.c - each frame starts from a coarse lattice of the surface of the previous frame.
  *
- * A lattice this coarse only selects one of the surfaces with this lambda and H.  Finer detail of the
- * previous frame, which may be wrong, is not passed on.
+ * A lattice this coarse only selects one of the surfaces with this lambda and H.  Finer detail of
+ * the previous frame, which may be wrong, is not passed on.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 #include "follow.h"
 
 static const char *const START[3] = { "start.x", "start.y", "start.z" };
-enum { LATTICE = 32 };          /* the least number of steps along the shorter side */
+enum { LATTICE = 32 };          /* least number of lattice steps along the shorter side */
 
 void
 follow_start(const Before *before, Lhg *g)

@@ -4,7 +4,7 @@
 
 #include "../shared/cmd.h"
 
-/* The surface of the previous frame; all 0 at first. */
+/* The surface of the previous frame; all members are 0 before the first. */
 typedef struct Before {
 	int     nu, nv;
 	double *phi;            /* [3][nv][nu] */
@@ -14,7 +14,7 @@ typedef struct Before {
  * about 33 nodes along the shorter side.  Its unit is that of the start or the band of g. */
 void follow_start(const Before *before, Lhg *g);
 
-/* Keeps phi[3][nv][nu] for the next frame, and frees it later. */
+/* follow_keep keeps phi[3][nv][nu] for the next frame and takes over freeing it. */
 void follow_keep(Before *before, const Lhg *g, double *phi);
 void follow_end(Before *before);
 

@@ -1,11 +1,12 @@
-/* framefit.h - calls the frame method (lib/surface/frame.h) for a grid; failures become messages. */
+/* framefit.h - calls the frame method (lib/surface/frame.h) for a grid; dies if it fails. */
 #ifndef FRAMEFIT_H
 #define FRAMEFIT_H
 
 #include "../../lib/base/chart.h"
 #include "../shared/cmd.h"
 
-/* phi [3][nv][nu] has the FRAME_BAND outer rings, and becomes the surface; dies if there is none. */
+/* On entry phi[3][nv][nu] has the positions of the FRAME_BAND outer rings of nodes, on return the
+ * whole surface.  Dies if the method fails. */
 void framefit(const CmdInput *in, Chart g, const double *lambda, const double *H, double *phi);
 
 #endif

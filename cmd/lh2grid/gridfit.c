@@ -7,7 +7,7 @@
 #include "framefit.h"
 #include "gridfit.h"
 
-/* Memory that each method needs, and that --follow adds: doubles for each node. */
+/* Memory that each method needs, and that --follow needs in addition, in doubles for each node. */
 enum { SURFACE_NUMBERS = 58, FRAME_NUMBERS = 680, FOLLOW_NUMBERS = 3 };
 
 double *

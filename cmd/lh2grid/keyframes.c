@@ -4,7 +4,7 @@
 #include "../shared/claim.h"
 #include "keyframes.h"
 
-/* The detail of a key frame; NULL before the first. */
+/* The detail of a key frame; detail is NULL before the first key frame. */
 typedef struct Key {
 	int     nu, nv;
 	double *detail;         /* [3][nv][nu] */
@@ -33,7 +33,7 @@ convert_key(const CmdInput *in, Lhg *g, int every, SurfaceFit o, KeyframesConver
 	return k;
 }
 
-/* Converts the grid at parameter t, 0 to 1, between key frames a and b. */
+/* Converts the grid g at parameter t, 0 to 1, between the key frames a and b. */
 static void
 convert_between(const CmdInput *in, Lhg *g, const Key *a, const Key *b, double t, SurfaceFit o,
 	KeyframesConvert *convert)
@@ -49,7 +49,8 @@ convert_between(const CmdInput *in, Lhg *g, const Key *a, const Key *b, double t
 	free(o.forecast);
 }
 
-/* Reads up to room grids; returns their number, fewer at the end of the stream. */
+/* Reads up to `room` grids.  Returns their number, which is less than room at the end of the
+ * stream. */
 static int
 read_grids(CmdInput *in, Lhg *g, int room)
 {

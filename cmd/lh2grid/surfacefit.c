@@ -9,8 +9,8 @@
 #include "../shared/range.h"
 #include "surfacefit.h"
 
-/* Factor of the tolerance with residual channels: an exact fit exists, and the last steps converge
- * fast. */
+/* With residual channels the tolerance is multiplied by this: an exact fit exists, and the last
+ * steps converge fast. */
 static const double EXACT = 1e-4;
 
 static const char *const START[3] = { "start.x", "start.y", "start.z" };
@@ -36,7 +36,8 @@ surfacefit_rings(const Lhg *g, const SurfaceFit *o)
 	return o->free && !has_band(g) ? 0 : 1;
 }
 
-/* The start as three fields, to be freed; sets the lattice of s and its place in the rectangle. */
+/* Returns the channels start as three fields, to be freed.  Sets the lattice of s and its place in
+ * the rectangle. */
 static double *
 read_start(const CmdInput *in, const Lhg *g, Surface *s)
 {

@@ -1,5 +1,4 @@
-/* surfacefit.h - calls the surface method (lib/surface/surface.h) for a grid; failures become
- * messages. */
+/* surfacefit.h - calls the surface method (lib/surface/surface.h) for a grid; dies if it fails. */
 #ifndef SURFACEFIT_H
 #define SURFACEFIT_H
 
@@ -11,11 +10,12 @@ typedef struct SurfaceFit {
 	double *forecast, *detail;      /* of lib/surface/surface.h, or NULL */
 } SurfaceFit;
 
-/* Rings of band that are needed: 3 if the frame method must provide the start, else 1 for a held
- * boundary (or to place a free one), 0 for a free boundary without a band. */
+/* The number of rings of the band that are needed: 3 if the frame method must provide the start;
+ * else 1 for a held boundary (or to place a free one), and 0 for a free boundary without a band. */
 int surfacefit_rings(const Lhg *g, const SurfaceFit *o);
 
-/* phi[3][nv][nu] has those rings, and becomes the surface; dies if there is none. */
+/* On entry phi[3][nv][nu] has the positions of those rings, on return the whole surface.  Dies if
+ * the method fails. */
 void surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi);
 
 #endif

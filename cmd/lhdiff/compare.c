@@ -6,7 +6,8 @@
 #include "../shared/cmd.h"
 #include "compare.h"
 
-/* The area; dies unless it is positive and small enough for finite products of areas and lengths. */
+/* The area of m.  Dies unless it is positive and so small that products of areas and lengths do not
+ * overflow. */
 static double
 area(const char *place, const Mesh *m)
 {

@@ -14,13 +14,13 @@ enum {
 
 typedef struct Compare {
 	double error;           /* over the square root of the area of a */
-	int    far, cross;      /* whether to compute the Hausdorff distance, self-intersections */
+	int    far, cross;      /* compute the Hausdorff distance; self-intersections */
 } Compare;
 
 /* One of the two surfaces, and the values that depend on it alone. */
 typedef struct Side {
 	Mesh   m;
-	double area, crossings;         /* -1 crossings: not computed, or not defined */
+	double area, crossings;         /* crossings is -1 if not computed or not defined */
 } Side;
 
 /* Compute area and crossings of side s, or die; place names it in messages. */

@@ -5,8 +5,8 @@
 #include "../shared/cmd.h"
 #include "compare.h"
 
-/* For one pair of surfaces: lines "name value", or one JSON object.  For many: a table, or a JSON
- * object on each line, whose rows begin with the number of the pair. */
+/* For one pair of surfaces: lines "name value", or one JSON object.  For many pairs: a table, or
+ * one JSON object on each line; each row or object begins with the number of the pair. */
 typedef struct Report {
 	int     json, many;
 	long    count;          /* pairs added */
@@ -15,7 +15,7 @@ typedef struct Report {
 
 void report_begin(Report *r, int json, int many);
 
-/* Add one pair.  A value of -1 is not defined: it is left out, and a table has "-" for it.  A
+/* Add one pair.  The value -1 means not defined: it is left out, or "-" in a table.  A
  * table has no columns for values that c does not request. */
 void report_add(Report *r, const Compare *c, const double value[COMPARE_N]);
 

@@ -32,7 +32,7 @@ from_grid(CmdInput *in, Mesh *m)
 	return 1;
 }
 
-/* The faces of a mesh file, a disk or not. */
+/* Makes d from the faces of a mesh file, which need not form a disk. */
 static void
 faces(const char *name, const Soup *soup, Disk *d)
 {

@@ -10,8 +10,8 @@ typedef struct Surfaces {
 	CmdInput in;            /* of grids */
 	char    *bytes;         /* of a mesh file that has not been read yet, else NULL */
 	size_t   n;
-	int      grids;         /* it is a stream */
-	long     count;         /* surfaces so far */
+	int      grids;         /* the operand is a stream of grids */
+	long     count;         /* surfaces read so far */
 	char     place[300];    /* name of the last in messages, with its number if there are
 	                         * several */
 } Surfaces;

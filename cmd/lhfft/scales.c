@@ -71,7 +71,7 @@ least(size_t n, const double *f)
 	return min;
 }
 
-/* Raises lambda to floor where filtering made it less: a length must stay positive. */
+/* Raises lambda to `floor` where filtering made it smaller, since lambda must be positive. */
 static void
 clamp(const CmdInput *in, const Lhg *g, double floor)
 {
@@ -88,7 +88,8 @@ clamp(const CmdInput *in, const Lhg *g, double floor)
 			floor, count, n);
 }
 
-/* Returns whether f has changed; *most is the larger of itself and the number of coefficients kept. */
+/* Filters f.  Returns whether f has changed.  Raises *most to the number of coefficients kept if
+ * that is larger. */
 static int
 filter(const CmdInput *in, const Lhg *g, const char *name, double *f, SpectrumBasis basis,
 	Filter by, size_t *most)
@@ -136,8 +137,9 @@ scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g)
 	return f;
 }
 
-/* The metadatum waves: the radius, in cycles per width, of the quarter disk that holds as many cosines
- * as the filter kept, pi waves^2 T; or that of an earlier filter, if it is smaller. */
+/* Sets the metadatum waves, in cycles per width: the radius of the quarter disk of wave numbers
+ * that contains as many cosines, pi waves^2 T, as the filter kept.  If an earlier filter had a
+ * smaller value, that is kept. */
 static void
 set_waves(Lhg *g, double before, size_t kept)
 {
@@ -154,7 +156,7 @@ scales_waves(const Lhg *g)
 	return lhg_getmeta(g, "waves", value, sizeof value) ? strtod(value, NULL) : 0;
 }
 
-/* A field of which no coefficient is dropped stays the same, bit for bit. */
+/* A field whose coefficients are all kept does not change, not even in its last bits. */
 void
 scales_apply(const Scales *s, int k, double before, const CmdInput *in, Lhg *g)
 {

@@ -9,11 +9,11 @@ enum { SCALES_MAX = 256 };
 
 typedef struct Scales {
 	SpectrumBasis basis;
-	const char *option;             /* that set the bounds, or NULL */
+	const char *option;             /* the option that set the bounds, or NULL */
 	FilterRule  rule;
 	int         n;                  /* how many scales */
 	double      bound[SCALES_MAX];
-	double      lambda, H;          /* --K-lambda and --K-H; -1: not given, the bound of the scale holds */
+	double      lambda, H;          /* --K-lambda, --K-H; -1: use the bound of the scale */
 	int         raw, log, bending;  /* --raw, --log-lambda, --bending */
 } Scales;
 
@@ -29,7 +29,7 @@ void scales_check(Scales *s);
 /* Dies unless g has lambda > 0 and H.  Returns the smallest lambda. */
 double scales_need(const CmdInput *in, const Lhg *g);
 
-/* The field that is filtered for H, lambda H or H itself, to be freed; and its name. */
+/* The field that is filtered in place of H, lambda H or H itself, to be freed; and its name. */
 double *scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g);
 const char *scales_name(const Scales *s);
 

@@ -6,7 +6,7 @@
 #include "../shared/cmd.h"
 #include "landfile.h"
 
-static const double FAR = 0.05;         /* share of the boundary's length; farther points get a note */
+static const double FAR = 0.05;         /* fraction of the boundary length; beyond it, a note */
 
 typedef struct Landmarks {
 	const char *name;       /* of the file */
@@ -84,7 +84,7 @@ check_order(const Landmarks *l)
 			    l->line[i], l->place[k][i], "AB"[k], l->place[k][i-1], l->place[k][0]);
 }
 
-/* The landmarks in s, which is cut into lines. */
+/* Reads the landmarks from the text s, which is modified. */
 static void
 parse(Landmarks *l, char *s, const Border *const b[2])
 {

@@ -5,7 +5,7 @@
 #include "../shared/cmd.h"
 #include "merge.h"
 
-/* Calls use for each line of s, without its newline. */
+/* Calls `use` for each line of s, without its newline. */
 static void
 each_line(const char *s, void (*use)(char *line, const void *ctx, Lhg *g), const void *ctx, Lhg *g)
 {

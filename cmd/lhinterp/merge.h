@@ -4,8 +4,8 @@
 
 #include "../../format/lhg.h"
 
-/* Adds to g the metadata that a and b have in common, and the steps of a, each marked "A: ", then those
- * of b, marked "B: "; or dies if memory runs out. */
+/* Adds to g the metadata that a and b have in common, and the steps of a, each marked "A: ", then
+ * those of b, marked "B: "; or dies if memory runs out. */
 void merge_text(const Lhg *a, const Lhg *b, Lhg *g);
 
 #endif

@@ -90,7 +90,8 @@ morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks
 		align(m);
 }
 
-/* Moves the border to the interpolation by landmarks, and the other positions with it. */
+/* Moves the border to the border interpolated by landmarks (matching.h), and continues the
+ * displacements over the other positions. */
 static void
 follow_landmarks(const Morph *m, double t, Lhg *g)
 {

@@ -4,7 +4,8 @@
 #include "../../lib/grid/coons.h"
 #include "positions.h"
 
-/* Whether channel k is the x of positions; sets c to it and its y and z. */
+/* Whether channel k is the x coordinate of positions.  Sets c to this channel and those of y and
+ * z. */
 static int
 find_triple(Lhg *g, int k, LhgChannel *c[3])
 {

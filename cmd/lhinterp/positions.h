@@ -6,11 +6,11 @@
 #include "../../lib/base/procrustes.h"
 #include "../shared/cmd.h"
 
-/* Move all of them. */
+/* Move the positions in all these channels by r. */
 void positions_move(Lhg *g, const Rigid *r);
 
-/* Add to all of them displacements that are given on the border, d[n][3] in the order of
- * border.h, and continued over the grid by coons.h. */
+/* Add displacements to the positions in all these channels.  d[n][3] are the displacements of the
+ * border nodes, in the order of border.h; coons.h interpolates them over the grid. */
 void positions_shift(Lhg *g, const double *d);
 
 #endif

@@ -9,12 +9,13 @@ enum { SIDE = 128 };                    /* points on each side */
 
 /* Distances are root mean squares between the borders after the best rigid motion, in units of
  * their size. */
-static const double CLEAR = 1.5;        /* a fit is clearly better if it is closer by this factor, */
-static const double FAR = 0.1;          /* provided that it was more than this; */
-static const double TURN = M_PI/3;      /* or if B is rotated less in space, by more than this angle */
+static const double CLEAR = 1.5;        /* a fit is clearly better if closer by this factor, */
+static const double FAR = 0.1;          /* provided that the distance was more than this; */
+static const double TURN = M_PI/3;      /* or if it rotates B less, by more than this angle */
 static const double NEAR = 1.25;        /* distances within this factor count as equal */
 
-/* Points at equal places, starting at side `first`, centred and scaled to root mean square 1. */
+/* Sets x to points at equal distances in place, starting at side `first`, moved to mean 0 and
+ * scaled to root mean square 1. */
 static void
 sample(const Border *b, int first, double *x)
 {

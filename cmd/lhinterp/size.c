@@ -8,7 +8,7 @@
 
 static const double APART = 2;          /* ratio of sizes above which a note is printed */
 
-/* The root of the integral of lambda^2 du dv, by the trapezoidal rule. */
+/* The square root of the area, the integral of lambda^2 du dv, by the trapezoidal rule. */
 static double
 size_of(const Lhg *g)
 {
@@ -26,7 +26,7 @@ size_of(const Lhg *g)
 	return sqrt(sum*chart_h(c)*chart_k(c));
 }
 
-/* Multiplies the channels of g in length by s, those in 1/length by 1/s. */
+/* Multiplies the channels of g with unit length by s, those with unit 1/length by 1/s. */
 static void
 scale_channels(Lhg *g, double s)
 {

@@ -33,8 +33,8 @@ skip_separator(const char **s)
 	return comma + semicolon > 1 ? 0 : semicolon || line ? 2 : 1;
 }
 
-/* Reads numbers and nothing else: four, or twelve with a point ending after every third.  Returns 0 for
- * anything else. */
+/* Reads numbers and nothing else: four, or twelve with a point ending after every third.  Returns 0
+ * for anything else. */
 static int
 parse(const char *s, Given *g)
 {
@@ -73,7 +73,7 @@ read_file(const char *path, Given *g)
 	free(s);
 }
 
-/* The number in the disk of vertex x of the file, or die. */
+/* The number in the disk of the vertex with number x in the file, or die. */
 static int
 vertex(const Disk *d, double x)
 {

@@ -11,7 +11,7 @@
 #include "likeopt.h"
 
 enum { POINTS = 2048 };                 /* on each outline */
-static const double CLEAR = 1.25;       /* a fit worse than the best by this factor is clearly worse */
+static const double CLEAR = 1.25;       /* a fit is clearly worse than the best by this factor */
 
 typedef struct Fit {
 	int    shift;
@@ -28,7 +28,7 @@ outline(const char *name, int n, const double *x, Outline *o)
 	}
 }
 
-/* The outline of the grid's boundary, and the places of its corners on it. */
+/* Reads the outline of the grid's boundary and the places of the grid's corners on it. */
 static void
 read_like(const char *path, Outline *o, double corner[4])
 {

@@ -1,11 +1,11 @@
-/* loss.c - reports what the grid of mesh2rect does not hold of the mesh. */
+/* loss.c - reports how much of the mesh the grid of mesh2rect does not represent. */
 #include <stdio.h>
 
 #include "../../lib/grid/gridloss.h"
 #include "../shared/cmd.h"
 #include "loss.h"
 
-static const double NOTED = 0.01;       /* share of the area, or of its square root */
+static const double NOTED = 0.01;       /* of the area, or of its square root */
 
 void
 loss_report(Lhg *out, const char *mesh, double most, const Disk *d, const Conformal *c)

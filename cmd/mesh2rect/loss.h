@@ -1,4 +1,4 @@
-/* loss.h - reports what the grid of mesh2rect does not hold of the mesh. */
+/* loss.h - reports how much of the mesh the grid of mesh2rect does not represent. */
 #ifndef CMD_LOSS_H
 #define CMD_LOSS_H
 

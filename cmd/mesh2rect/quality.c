@@ -2,7 +2,7 @@
 #include "../shared/cmd.h"
 #include "quality.h"
 
-static const double FULL = 0.9; /* share of --max-vertices at which splitting may end */
+static const double FULL = 0.9; /* splitting may end at this fraction of --max-vertices */
 
 void
 quality_meta(Lhg *out, const Disk *d, const int corner[4], double apart, const Conformal *c)
@@ -22,7 +22,8 @@ quality_meta(Lhg *out, const Disk *d, const int corner[4], double apart, const C
 	cmd_meta(out, "polished", "%d", c->polished);
 }
 
-/* With a tolerance of 0 or 1 splitting goes on to --max-vertices, or is off: neither can be missed. */
+/* Notes a missed tolerance.  With tolerance 0 splitting goes on to --max-vertices, and with 1 it is
+ * off; then there is nothing to note. */
 static void
 note_tolerance(const char *mesh, const AdaptOptions *o, const Conformal *c)
 {

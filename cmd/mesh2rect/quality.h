@@ -5,11 +5,12 @@
 #include "../../format/lhg.h"
 #include "../../lib/map/conformal.h"
 
-/* Adds the metadata of the map of d.  apart: distance of its boundary from that of --like, or -1. */
+/* Adds the metadata of the map of d.  apart: distance of its boundary from that of --like, or
+ * -1. */
 void quality_meta(Lhg *out, const Disk *d, const int corner[4], double apart, const Conformal *c);
 
-/* Prints details of the map, and notes if it misses the tolerance or if triangles are turned over in
- * the (u,v) of the file uv.  mesh: the name of d in messages; uv: NULL if none is written. */
+/* Prints details of the map, and notes if it misses the tolerance or if triangles are turned over
+ * in the (u,v) of the file uv.  mesh: the name of d in messages; uv: NULL if none is written. */
 void quality_notes(const char *mesh, const char *uv, const Disk *d, const ConformalOptions *o,
 	const Conformal *c);
 

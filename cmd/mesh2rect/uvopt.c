@@ -27,7 +27,7 @@ opt_uv(const char *file, const char *mesh)
 		misuse("--uv=%s: the mesh is read from there, and would lose all but positions and faces", file);
 }
 
-/* The channel MESH_OFFSET of s, from its (u,v). */
+/* Adds the channel MESH_OFFSET to s, computed from the (u,v) of s and the grid phi. */
 static void
 add_offsets(const char *file, Soup *s, Chart g, const double *const phi[3])
 {

@@ -1,8 +1,8 @@
 /* cmd.h - messages, options, input and output of every command.  Only cmd/ may include this: its
  * functions print messages and end the process.
  *
- * Exit codes: 0 the output is complete; 1 the input cannot be processed, or reading, writing or memory
- * failed; 2 the command line is wrong.
+ * Exit codes: 0 the output is complete; 1 the input cannot be processed, or reading, writing or
+ * memory failed; 2 the command line is wrong.
  */
 #ifndef CMD_H
 #define CMD_H
@@ -24,11 +24,11 @@ _Noreturn void misuse(const char *fmt, ...);
 void note(const char *fmt, ...);
 void detail(const char *fmt, ...);
 
-/* Options.  cmd_getopt is getopt_long, but handles the options that all commands have
- * (-o -q -v -h --version --no-history) and mistakes itself, and returns only the command's own
- * options.  The array of long options ends with CMD_LONGOPT.  cmd_getopt also records the step for the
- * history: own options in their long form, then operands, so that a short and a long option give the
- * same bytes. */
+/* Options.  cmd_getopt is getopt_long, but handles the options that all commands have (-o -q -v -h
+ * --version --no-history) and mistakes itself, and returns only the command's own options.  The
+ * array of long options ends with CMD_LONGOPT.  cmd_getopt also records the step for the history:
+ * own options in their long form, then operands, so that a short and a long option give the same
+ * bytes. */
 #define CMD_LONGOPT \
 	{ "output",  required_argument, NULL, 'o' }, \
 	{ "no-history", no_argument,    NULL, CMD_NO_HISTORY }, \
@@ -63,15 +63,15 @@ long   opt_long(const char *s, long lo, long hi, const char *option);
  * list. */
 int    opt_word(const char *s, const char *words, const char *option);
 
-/* The FILE of -o, NULL for stdout. */
+/* The FILE of the option -o; NULL for stdout. */
 const char *cmd_output(void);
 
 /* The name of an input in messages: path, or "stdin" for "-" and NULL. */
 const char *cmd_name_of(const char *path);
 
-/* All bytes of a file ("-" or NULL: stdin), to be freed.  Dies if there are more than claim_input().
- * cmd_slurp_if calls look with the first 64 KiB of a longer input; look dies if they begin no input of
- * the right kind, so that an endless pipe is refused at once. */
+/* All bytes of a file ("-" or NULL: stdin), to be freed.  Dies if there are more than
+ * claim_input().  cmd_slurp_if calls look with the first 64 KiB of a longer input; look dies if
+ * they begin no input of the right kind, so that an endless pipe is refused at once. */
 typedef void CmdLook(const char *name, const char *head, size_t n);
 char *cmd_slurp(const char *path, size_t *n);
 char *cmd_slurp_if(const char *path, CmdLook *look, size_t *n);
@@ -79,9 +79,9 @@ char *cmd_slurp_if(const char *path, CmdLook *look, size_t *n);
 /* Exit 2 now rather than write binary data to a terminal later. */
 void cmd_binary_output(void);
 
-/* Streams of grids.  cmd_open opens path ("-" or NULL: stdin).  cmd_read returns 1 and the next grid,
- * or 0 at the end; or dies with the name of the input and the reason.  cmd_read_one dies unless the
- * input is one grid. */
+/* Streams of grids.  cmd_open opens path ("-" or NULL: stdin).  cmd_read returns 1 and the next
+ * grid, or 0 at the end; or dies with the name of the input and the reason.  cmd_read_one dies
+ * unless the input is one grid. */
 typedef struct CmdInput {
 	const char *name;       /* for messages: the path, or "stdin" */
 	LhgStream   s;
@@ -94,9 +94,10 @@ void cmd_read_one(CmdInput *in, Lhg *g);
  * else return 0 and all its bytes as cmd_slurp_if does. */
 int  cmd_open_or_slurp(CmdInput *in, const char *path, CmdLook *look, char **bytes, size_t *n);
 
-/* Write g to -o or stdout, the step of this command added to its history.  cmd_pass is for a stage that
- * writes one grid for each grid of in: after the last frame of a set, if in has more, it also begins
- * the next header, so that the output is incomplete if this stage then fails or is killed. */
+/* Write g to -o or stdout, the step of this command added to its history.  cmd_pass is for a stage
+ * that writes one grid for each grid of in: after the last frame of a set, if in has more, it also
+ * begins the next header, so that the output is incomplete if this stage then fails or is
+ * killed. */
 void cmd_write(Lhg *g);
 void cmd_pass(const CmdInput *in, Lhg *g);
 
@@ -125,8 +126,8 @@ void cmd_text_close(CmdText *t);
 /* malloc, or die with the size. */
 void *cmd_alloc(size_t n, size_t size);
 
-/* A line on stderr that replaces the one before: only on a terminal, without -q, and after the
- * command has run for a second.  cmd_progress_end wipes it. */
+/* Prints a line on stderr that replaces the previous one; only on a terminal, without -q, and after
+ * the command has run for a second.  cmd_progress_end erases it. */
 void cmd_progress(const char *fmt, ...);
 void cmd_progress_end(void);
 

@@ -40,9 +40,9 @@ history_none(void)
 	step.none = 1;
 }
 
-/* value in the quotes that a shell needs; out has 9 bytes for each byte of value, and 17 more.  Control
- * characters and bytes that are not UTF-8 are escapes of printf %b.  "$(..)" drops LFs at the end,
- * so these are taken from IFS, which is " \t\n" when a shell starts. */
+/* value in the quotes that a shell needs; out has 9 bytes for each byte of value, and 17 more.
+ * Control characters and bytes that are not UTF-8 are escapes of printf %b.  "$(..)" drops LFs at
+ * the end, so these are taken from IFS, which is " \t\n" when a shell starts. */
 static void
 quote(const char *value, char *out)
 {

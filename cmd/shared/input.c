@@ -30,7 +30,7 @@ in_open(const char *path)
 	return f;
 }
 
-/* stdin stays open: it may be read again. */
+/* Closes f unless it is stdin, which may be read again. */
 static void
 in_close(FILE *f)
 {

@@ -29,8 +29,8 @@ message_verbosity(int verbose)
 	message.verbose = verbose;
 }
 
-/* "name: text".  Control characters and bytes that are not UTF-8, from a file or an argument, must
- * not reach the terminal. */
+/* Prints "name: text".  Control characters and bytes that are not UTF-8, which may come from a file
+ * or an argument, must not reach the terminal. */
 static void
 print_safely(const char *fmt, va_list ap)
 {
@@ -44,7 +44,7 @@ print_safely(const char *fmt, va_list ap)
 	fprintf(stderr, "%s: %s", message.name, text);
 }
 
-/* "name: text tail" on one line. */
+/* Prints "name: text tail" on one line. */
 static void
 print_line(const char *fmt, va_list ap, const char *tail)
 {

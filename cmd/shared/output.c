@@ -1,5 +1,5 @@
-/* output.c - the outputs of every command.  A file appears under its name when it is complete, or not
- * at all. */
+/* output.c - the outputs of every command.  A file appears under its name when it is complete, or
+ * not at all. */
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -105,8 +105,8 @@ output_follow_links(const char *path, char *to)
 	}
 }
 
-/* A template for mkstemp in the folder of path.  It holds the name of the file where the file system
- * allows names that long. */
+/* A template for mkstemp in the folder of path.  It holds the name of the file where the file
+ * system allows names that long. */
 static void
 temp_name(const char *path, char temp[PATH_MAX + 16])
 {

@@ -26,8 +26,8 @@ void history_word(const char *dashes, const char *word, const char *equals, cons
 /* --no-history. */
 void history_none(void);
 
-/* The history of a result: the steps past (or NULL) and the step of this command, to be freed;
- * NULL with --no-history.  The oldest steps of a history of more than 16384 bytes are summarised in one
+/* The history of a result: the steps past (or NULL) and the step of this command, to be freed; NULL
+ * with --no-history.  The oldest steps of a history of more than 16384 bytes are summarised in one
  * line, LHG.md 2.4. */
 char *history_with_step(const char *past);
 
@@ -42,8 +42,8 @@ void output_follow_links(const char *path, char *to);
 
 /* ---- descriptor.c ---- */
 
-/* A stream over fd, which fclose closes; NULL if memory runs out.  Calls that a signal interrupts, that
- * would block, or that move only a part are continued. */
+/* A stream over fd, which fclose closes; NULL if memory runs out.  Calls that a signal interrupts,
+ * that would block, or that move only a part are continued. */
 FILE *descriptor_stream(int fd, const char *mode);
 
 /* Opens /dev/null in place of stdin, stdout and stderr if they are closed, so that no file opened

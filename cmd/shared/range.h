@@ -8,11 +8,11 @@
  * together are less than 1e-60 wide. */
 void range_positions(const char *name, size_t n, int stride, const double *const x[3]);
 
-/* The height T of g: 1e-9 .. 1e9, or die. */
+/* Dies unless the height T of g is in 1e-9 .. 1e9. */
 void range_height(const CmdInput *in, const Lhg *g);
 
-/* lambda of g: 1e-60 .. 1e60, the largest at most 1e12 times the least, |H| at most 1e12 over
- * lambda, or die. */
+/* Dies unless lambda is in 1e-60 .. 1e60, its largest value at most 1e12 times its least, and |H|
+ * at most 1e12/lambda. */
 void range_lambda_h(const CmdInput *in, const Lhg *g, const double *lambda, const double *H);
 
 /* No two points of the surface lie farther apart than the largest lambda times 1 + T: die if
@@ -23,7 +23,7 @@ void range_width(const CmdInput *in, const Lhg *g, const char *name);
  * 1e100, or die.  what: its name in the message. */
 void range_field(const CmdInput *in, const Lhg *g, const char *what, const double *f);
 
-/* A channel of g whose squares are summed: no sample beyond 1e100, or die. */
+/* Dies if a sample of this channel of g, whose squares are summed, is beyond 1e100. */
 void range_channel(const CmdInput *in, const Lhg *g, const char *name);
 
 #endif

@@ -1,4 +1,4 @@
-/* samefile.c - whether two names are the same file. */
+/* samefile.c - whether two names refer to the same file. */
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>

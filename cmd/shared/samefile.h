@@ -1,4 +1,4 @@
-/* samefile.h - whether two names are the same file. */
+/* samefile.h - whether two names refer to the same file. */
 #ifndef CMD_SAMEFILE_H
 #define CMD_SAMEFILE_H
 

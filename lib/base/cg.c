@@ -4,7 +4,8 @@
 #include "cg.h"
 #include "field.h"
 
-/* The largest t with |d + t p| = radius, from the inner products in the norm of P. */
+/* The largest t with |d + t p| = radius.  dd, dp and pp are the inner products <d, P d>, <d, P p>
+ * and <p, P p>. */
 static double
 to_radius(double dd, double dp, double pp, double radius)
 {
@@ -14,7 +15,7 @@ to_radius(double dd, double dp, double pp, double radius)
 CgResult
 cg(const CgSystem *s, const CgLimits *limits, double *x, double *r, double *z, double *p, double *q)
 {
-	double rz, stop, dd = 0, dp = 0, pp, decrease = 0, old, t;      /* d: x minus its start */
+	double rz, stop, dd = 0, dp = 0, pp, decrease = 0, old, t;      /* d = x - start */
 	int steps, out;
 
 	s->precondition(s->ctx, r, z);

@@ -14,21 +14,22 @@ typedef struct CgSystem {
 } CgSystem;
 
 typedef struct CgLimits {
-	double reduction;       /* stop when |r| in the norm of P^-1 is this share of its first value */
+	double reduction;       /* stop at this share of the first |r|, in the norm of P^-1 */
 	int    steps;
-	double radius;          /* of the trust region: |x - start| in the norm of P; or HUGE_VAL */
-	double worth;           /* stop when a step adds less than this share of the decrease so far */
-	double before;          /* decrease that led to the start; worth counts it, the result does not */
+	double radius;          /* bounds |x - start| in the norm of P; HUGE_VAL: no bound */
+	double worth;           /* stop when a step adds less than this times the decrease */
+	double before;          /* decrease before this call; only the rule of worth adds it */
 } CgLimits;
 
 typedef struct CgResult {
 	double decrease;        /* twice the decrease of the function */
-	double length;          /* |x - start| in the norm of P, the radius if that was reached */
-	int    steps;           /* equal to the limit if nothing else stopped it before */
+	double length;          /* |x - start| in the norm of P, at most the radius */
+	int    steps;           /* not counting a last one that radius or worth stopped */
 } CgResult;
 
 /* x  in/out  in: the start; out: the solution
- * r  in/out  in: the residual b - A x of the start; out: the residual before or after the last step
+ * r  in/out  in: the residual b - A x of the start; out: overwritten, perhaps not updated after the
+ *            last step
  * z, p, q    workspace of n numbers each */
 CgResult cg(const CgSystem *s, const CgLimits *limits, double *x, double *r, double *z, double *p,
 	double *q);

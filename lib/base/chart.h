@@ -17,14 +17,15 @@
 
 typedef struct Chart Chart;
 
-/* One constant for each kind of chart.  A side of the domain is either open, with nodes on it and
- * nothing beyond, or joined to another side and half a step away from the last nodes. */
+/* There is one constant for each kind of chart.  A side of the domain is open or joined.  An open
+ * side has nodes on it and nothing beyond it.  A joined side is glued to another side, and the last
+ * nodes lie half a step inside it. */
 typedef struct ChartKind {
-	int joined[2][2];       /* along u: the sides u = 0 and u = 1; along v: v = 0 and v = T */
+	int joined[2][2];       /* 1: joined.  [0]: sides u = 0, u = 1; [1]: v = 0, v = T */
 
-	/* Replaces (*i,*j), up to two steps beyond joined sides, by the same node inside the
-	 * grid.  Returns 1, or -1 if the directions of u and v are both reversed there, so that
-	 * odd fields such as phi_u change their sign.  NULL if no side is joined. */
+	/* Replaces (*i,*j), a place up to two steps beyond joined sides, by the node of the grid
+	 * that is glued to it.  Returns 1, or -1 if the directions of u and v are both reversed
+	 * there, so that odd fields such as phi_u change their sign.  NULL if no side is joined. */
 	int (*beyond)(Chart g, int *i, int *j);
 } ChartKind;
 
@@ -37,7 +38,7 @@ struct Chart {
 /* The rectangle: all four sides are open. */
 extern const ChartKind CHART_RECTANGLE;
 
-/* Steps along u (axis 0) or v (axis 1) of the domain. */
+/* The number of grid steps across the domain along u (axis 0) or v (axis 1). */
 static inline double
 chart_steps(Chart g, int axis)
 {

@@ -1,6 +1,6 @@
-/* cpu.h - functions compiled for more than one kind of processor.
+/* cpu.h - functions compiled for particular instruction sets.
  *
- * Write TARGET("avx2") before a static function, and test HAS("avx2") before the call. */
+ * Write TARGET("avx2") before a static function, and call it only if HAS("avx2"). */
 #ifndef CPU_H
 #define CPU_H
 

@@ -1,7 +1,7 @@
 /* field.c - sums and updates of long arrays. */
 #include "field.h"
 
-/* A sum over n numbers has about n/BLOCK blocks, but at most MOST. */
+/* A sum over n numbers is split into n/BLOCK + 1 blocks, but at most MOST. */
 enum { BLOCK = 4096, MOST = 64 };
 
 static double

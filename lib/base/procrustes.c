@@ -15,8 +15,8 @@ det3(double M[3][3])
 	return dot3(c, M[2]);
 }
 
-/* R = U diag(1, 1, d) V'.  LAPACK stores by columns and so reads C as C' = V s U': its u holds V by
- * columns, its vt holds U by rows. */
+/* R = U diag(1, 1, d) V'.  LAPACK stores matrices by columns, so it reads C as C' = V s U'.
+ * Its u therefore holds V by columns, and its vt holds U by rows. */
 static void
 compose(const double *u, const double *vt, double d, double R[3][3])
 {
@@ -57,7 +57,7 @@ procrustes_rotation(double C[3][3], double R[3][3], double *gain)
 	return 0;
 }
 
-/* The weighted centre of x, and the largest distance from it along any axis. */
+/* The weighted centre of x, and the largest distance from it along a coordinate axis. */
 static void
 centre_and_reach(int n, const double *w, const double *x, double centre[3], double *reach)
 {
@@ -77,7 +77,7 @@ centre_and_reach(int n, const double *w, const double *x, double centre[3], doub
 		*reach = fmax(*reach, fabs(x[i] - centre[i%3]));
 }
 
-/* sum w (a - ma) (b - mb)', lengths in units ua and ub. */
+/* C = sum w (a - ma) (b - mb)', with a measured in units of ua and b in units of ub. */
 static void
 covariance(int n, const double *w, const double *a, const double ma[3], double ua, const double *b,
 	const double mb[3], double ub, double C[3][3])
@@ -94,7 +94,8 @@ covariance(int n, const double *w, const double *a, const double ma[3], double u
 		}
 }
 
-/* The weighted root mean square of the distances |a - r b|, computed in the given unit of length. */
+/* The weighted root mean square of the distances |a - r b|.  They are squared in the given unit
+ * of length, so that squares do not overflow. */
 static double
 rms_distance(int n, const double *w, const double *a, const double *b, const Rigid *r, double unit)
 {

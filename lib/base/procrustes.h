@@ -4,8 +4,8 @@
 #define PROCRUSTES_H
 
 enum {
-	PROCRUSTES_EVALUE = -1,         /* not finite, or too large to be squared */
-	PROCRUSTES_ESVD   = -2          /* LAPACK's singular values did not converge */
+	PROCRUSTES_EVALUE = -1,         /* a number that is not finite, or whose square overflows */
+	PROCRUSTES_ESVD   = -2          /* the singular value decomposition did not converge */
 };
 
 /* x -> R x + t, R a rotation: det R = 1, no reflection. */
@@ -13,27 +13,27 @@ typedef struct Rigid {
 	double R[3][3], t[3];
 } Rigid;
 
-/* The rotation R that maximises  sum <a, R b> = tr(R' C)  for  C = sum a b',  and that maximum, gain.
- * From the singular value decomposition C = U s V':  R = U diag(1, 1, det UV') V' and
- * gain = s1 + s2 +- s3.  If several rotations reach the maximum (points on one line), R is one of
- * them; if C = 0, the identity.
+/* The rotation R that maximises  sum <a, R b> = tr(R' C)  for  C = sum a b';  gain is the maximum.
+ * Both follow from the singular value decomposition C = U s V':  R = U diag(1, 1, d) V' and
+ * gain = s1 + s2 + d s3,  with d = 1 or -1 such that det R = 1.  If several rotations reach the
+ * maximum (points on one line), R is one of them.  If C = 0, R is the identity.
  *
  * Returns 0, PROCRUSTES_EVALUE or PROCRUSTES_ESVD. */
 int procrustes_rotation(double C[3][3], double R[3][3], double *gain);
 
-/* The rigid motion r = (R, t) of b that minimises  sum w |a - (R b + t)|^2.
+/* The rigid motion r = (R, t) that, applied to b, minimises  sum w |a - (R b + t)|^2.
  *
- * w     in   [n] >= 0, one of them positive; NULL: all equal
+ * w     in   [n] >= 0, at least one positive; NULL: all equal
  * a, b  in   [n][3]
- * rms   out  square root of that minimum over sum w
+ * rms   out  root mean square of the distances: sqrt(minimum / sum w)
  *
  * Returns as procrustes_rotation. */
 int procrustes(int n, const double *w, const double *a, const double *b, Rigid *r, double *rms);
 
-/* Moves the n points x[n][3]. */
+/* Moves the n points x, [n][3], in place. */
 void rigid_move(const Rigid *r, int n, double *x);
 
-/* The angle of the rotation, 0 .. pi. */
+/* The angle of the rotation R, 0 .. pi radians. */
 double rigid_angle(const Rigid *r);
 
 #endif

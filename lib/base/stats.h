@@ -4,10 +4,11 @@
 
 #include <stddef.h>
 
+/* n must be positive. */
 double stats_mean(size_t n, const double *x);
 double stats_max(size_t n, const double *x);
 
-/* The middle of x in order (the upper one of two); x is sorted in place. */
+/* The median; for even n, the larger of the two middle values.  Sorts x in place. */
 double stats_median(size_t n, double *x);
 
 #endif

@@ -1,11 +1,11 @@
-/* bicubic.c - weights of Hermite's cubic, with slopes from five nodes. */
+/* bicubic.c - weights of cubic Hermite interpolation, with slopes from five nodes. */
 #include <math.h>
 #include <stddef.h>
 
 #include "bicubic.h"
 
-/* SLOPE[n][i][j]: the slope at node i of n nodes, one apart, is sum_j SLOPE[n][i][j] f_j,
- * exact for polynomials of degree n-1. */
+/* Finite differences for n nodes at distance 1: the slope at node i is sum_j SLOPE[n][i][j] f_j.
+ * It is exact for polynomials of degree up to n-1. */
 static const double SLOPE[6][5][5] = {
 	[2] = { { -1, 1 }, { -1, 1 } },
 	[3] = { { -3/2., 2, -1/2. }, { -1/2., 0, 1/2. }, { 1/2., -2, 3/2. } },
@@ -16,7 +16,7 @@ static const double SLOPE[6][5][5] = {
 	        { 1/4., -4/3., 3, -4, 25/12. } }
 };
 
-/* Adds weight times the slope at node i of nodes. */
+/* Adds to s->w the weights of the slope at node i of 0 .. nodes-1, times weight. */
 static void
 slope(BicubicSpan *s, int nodes, int i, double weight)
 {
@@ -28,7 +28,7 @@ slope(BicubicSpan *s, int nodes, int i, double weight)
 		s->w[from - s->first + k] += weight*SLOPE[n][i - from][k];
 }
 
-/* The weights of nodes 0 .. nodes-1 at place x: Hermite's cubic. */
+/* Weights of the cubic Hermite interpolation at place x between nodes 0 .. nodes-1. */
 static BicubicSpan
 hermite_weights(int nodes, double x)
 {

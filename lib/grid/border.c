@@ -70,7 +70,7 @@ border_index(int nu, int nv, int i, int j)
 	return 2*a + 2*b - j;
 }
 
-/* The first node of a side, and how many edges it has. */
+/* Returns the first node of a side; *edges is how many edges the side has. */
 static int
 side(const Border *b, int number, int *edges)
 {
@@ -119,7 +119,8 @@ border_arc(const Border *b, double r)
 	return (1 - w)*b->s[k] + w*b->s[k+1];
 }
 
-/* The point of the edge from p to q nearest to x, as its share of the edge, 0 .. 1. */
+/* The w in 0 .. 1 for which p + w (q - p) is the point of the edge pq nearest to x.  length is
+ * |q - p|. */
 static double
 nearest_share(const double p[3], const double q[3], const double x[3], double length)
 {

@@ -1,4 +1,4 @@
-/* coons.c - Coons's interpolation of border values. */
+/* coons.c - Coons interpolation of border values. */
 #include "border.h"
 #include "coons.h"
 

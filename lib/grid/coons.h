@@ -2,7 +2,7 @@
 #ifndef COONS_H
 #define COONS_H
 
-/* At node (i,j), with u = i/(nu-1) and v = j/(nv-1) and d the border's values:
+/* The value f at node (i,j).  With u = i/(nu-1), v = j/(nv-1), and d the values on the border:
  *
  *   f = (1-u) d_left(v) + u d_right(v) + (1-v) d_bottom(u) + v d_top(u)
  *     - (1-u)(1-v) d_00 - u (1-v) d_10 - (1-u) v d_01 - u v d_11

@@ -5,16 +5,18 @@
 #include "detail.h"
 #include "gridpoint.h"
 
-enum { WIDE = 16 };     /* cells along a side above which the sums over the grid are used: in narrow
-                         * windows, of small lambda, differences of these have too few digits */
+enum { WIDE = 16 };     /* windows wider than this many cells along u and v are integrated by
+                         * differences of sums over the grid; in smaller ones these differences lose
+                         * too many digits where lambda is small */
 
 /* A window in units of cells, [x0,x1] x [y0,y1]. */
 typedef struct Window {
 	double x0, x1, y0, y1;
 } Window;
 
-/* Adds weight times the integrals over cell (i,j): k (phi[i+1] - phi[i]) and h (phi[j+1] - phi[j]),
- * both as means over the two sides, and lambda^2 h k from these. */
+/* Adds weight times the integrals of phi_u (f[0..2]), phi_v (f[3..5]) and lambda^2 (f[6]) over cell
+ * (i,j).  phi_u and phi_v are means of the differences along two opposite sides of the cell, and
+ * lambda^2 = (|phi_u|^2 + |phi_v|^2)/2. */
 static void
 add_cell(const Detail *d, int i, int j, double weight, double f[7])
 {
@@ -61,7 +63,7 @@ detail_free(Detail *d)
 	free(d->sum);
 }
 
-/* Adds weight times the sums at (x,y), linear inside each cell. */
+/* Adds weight times the sums at (x,y), in grid steps; they are bilinear inside each cell. */
 static void
 add_sum(const Detail *d, double x, double y, double weight, double f[7])
 {
@@ -94,7 +96,8 @@ integrate(const Detail *d, Window w, double f[7])
 			add_cell(d, i, j, (fmin(i + 1, w.x1) - fmax(i, w.x0))*(fmin(j + 1, w.y1) - fmax(j, w.y0)), f);
 }
 
-/* The window of half sides r and rv round (u,v), at least a cell to each side, inside the grid. */
+/* The window round (u,v) of half width r and half height rv, each at least one cell, cut off at the
+ * border of the grid. */
 static Window
 window(Chart g, double u, double v, double r, double rv)
 {
@@ -104,7 +107,7 @@ window(Chart g, double u, double v, double r, double rv)
 	return (Window){ fmax(x - rx, 0), fmin(x + rx, g.nu - 1), fmax(y - ry, 0), fmin(y + ry, g.nv - 1) };
 }
 
-/* Divides by the length; returns 0 if there is none. */
+/* Divides a by its length.  Returns 0, with a unchanged, if the length is 0. */
 static int
 normalise(double a[3])
 {
@@ -128,7 +131,8 @@ perpendicular(const double a[3], double b[3])
 	normalise(b);
 }
 
-/* The orthonormal frame of the directions a and b, which are overwritten. */
+/* The orthonormal frame (e1, e2, n) of detail.h of the directions a and b, which are
+ * overwritten. */
 static void
 orthonormal(double a[3], double b[3], double frame[3][3])
 {
@@ -155,7 +159,7 @@ orthonormal(double a[3], double b[3], double frame[3][3])
 	cross3(frame[0], frame[1], frame[2]);
 }
 
-/* The frame of a window of half sides r and rv; returns its scale s. */
+/* The frame of the window of half width r and half height rv.  Returns the scale s of detail.h. */
 static double
 frame_at(const Detail *d, double u, double v, double r, double rv, double frame[3][3])
 {
@@ -168,7 +172,7 @@ frame_at(const Detail *d, double u, double v, double r, double rv, double frame[
 	return sqrt(fmax(f[6], 0)/area);
 }
 
-/* Whether the area of the window of half side r is that of a square of this side. */
+/* Whether the area on the surface of the window of half side r is at least side^2. */
 static int
 reaches(const Detail *d, double u, double v, double r, double side)
 {
@@ -178,7 +182,8 @@ reaches(const Detail *d, double u, double v, double r, double side)
 	return f[6] >= side*side;
 }
 
-/* The half side of the smallest window that reaches. */
+/* The half side of the smallest window with an area of at least side^2, by bisection; at most
+ * max(1, T). */
 static double
 half_side(const Detail *d, double u, double v, double side)
 {

@@ -1,4 +1,4 @@
-/* gridloss.c - what a grid does not hold of the mesh that it samples. */
+/* gridloss.c - how far a mesh is from the grid that samples it. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -14,8 +14,8 @@ cell_of(double x, double step, int cells)
 	return i > 0 ? i < cells - 1 ? (int)i : cells - 1 : 0;
 }
 
-/* Squared distances of the vertices from the cells at their places, in d2; returns the number of
- * the largest. */
+/* Sets d2 to the squared distance of each vertex from the cell at its (u,v), an upper bound of its
+ * squared distance from the grid.  Returns the vertex with the largest bound. */
 static int
 bound(const GridTree *t, const Mesh *m, const double *u, const double *v, Chart g, double *d2)
 {
@@ -31,8 +31,8 @@ bound(const GridTree *t, const Mesh *m, const double *u, const double *v, Chart 
 	return most;
 }
 
-/* The true distance of the vertex with the largest bound is a lower bound of the result: only vertices
- * with larger bounds are searched for. */
+/* The true distance of the vertex with the largest bound is a lower bound of the result, so only
+ * vertices with upper bounds above it need a search. */
 static void
 find_farthest(const GridTree *t, const Mesh *m, double *d2, int most, GridLoss *loss)
 {

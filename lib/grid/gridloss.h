@@ -1,4 +1,4 @@
-/* gridloss.h - what a grid does not hold of the mesh that it samples. */
+/* gridloss.h - how far a mesh is from the grid that samples it. */
 #ifndef GRIDLOSS_H
 #define GRIDLOSS_H
 
@@ -7,18 +7,19 @@
 
 typedef struct GridLoss {
 	double area;            /* of the mesh */
-	double kept;            /* area of the grid, as mesh_from_grid splits it, over that of the mesh */
-	double farthest;        /* the largest distance of a vertex from the surface of the grid, over
-	                         * the square root of area */
-	int    vertex;          /* the vertex that far away */
+	double kept;            /* area of the triangles of mesh_from_grid / area of the mesh */
+	double farthest;        /* the largest distance of a vertex of the mesh from the
+	                         * triangles of mesh_from_grid, divided by sqrt(area) */
+	int    vertex;          /* the vertex at that distance */
 } GridLoss;
 
 /* Compares the grid phi, each [g.nv][g.nu], with the mesh m.
  *
- * u, v     in   [m->nv] places of the vertices in the chart of g: how near the grid is there bounds
- *               the distance, and spares most searches.  Wrong places cost time only
+ * u, v     in   [m->nv] places of the vertices in the chart of g.  The distance from the cell at
+ *               such a place is an upper bound, which makes most searches unnecessary.  Wrong
+ *               places cost time, but do not change the result
  *
- * Returns 0 or MESH_ENOMEM.  The same for any number of threads. */
+ * Returns 0 or MESH_ENOMEM.  The result is the same for any number of threads. */
 int gridloss(const Mesh *m, const double *u, const double *v, Chart g, double *const phi[3],
 	GridLoss *loss);
 

@@ -15,7 +15,7 @@ dist2(const Mesh *m, int p, int q)
 	return x*x + y*y + z*z;
 }
 
-/* How many of two triangles have no area. */
+/* How many of the two triangles tri[0..2], tri[3..5] have no area. */
 static int
 flat(const Mesh *m, const int tri[6])
 {

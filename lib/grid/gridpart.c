@@ -1,4 +1,4 @@
-/* gridpart.c - nodes of a gridded surface moved so that every face has area. */
+/* gridpart.c - moves nodes of a gridded surface so that every face has area. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -6,7 +6,7 @@
 #include "../mesh/repair.h"
 
 static const double FIRST = 1./1024, GROWTH = 2;        /* share of the way in the first
-                                                 * round, and its factor per round */
+                                                 * round; factor from round to round */
 enum { ROUNDS = 24 };
 
 typedef struct Nodes {
@@ -31,7 +31,8 @@ position(const Nodes *n, int i, int j)
 	return n->m->xyz + 3*((size_t)j*n->nu + i);
 }
 
-/* Splits all cells anew and marks the corners of faces without area; returns how many there are. */
+/* Splits all cells anew, and marks the nodes of each cell that has faces without area.  Returns how
+ * many such faces there are. */
 static int
 mark_flat(const Nodes *n)
 {
@@ -47,7 +48,8 @@ mark_flat(const Nodes *n)
 	return all;
 }
 
-/* Marks nodes that coincide with any other; counts them in *equal.  Returns 0 or MESH_ENOMEM. */
+/* Marks the nodes that coincide with another node; *equal is their number.  Returns 0 or
+ * MESH_ENOMEM. */
 static int
 mark_equal(const Nodes *n, int *equal)
 {
@@ -67,7 +69,8 @@ mark_equal(const Nodes *n, int *equal)
 	return e;
 }
 
-/* The place of node (i,j) a share of the way towards the mean of its neighbours. */
+/* Sets `to` to the position of node (i,j), moved by this share of the way to the mean of its
+ * neighbours. */
 static void
 move_towards_mean(const Nodes *n, int i, int j, double share, double to[3])
 {
@@ -87,7 +90,7 @@ move_towards_mean(const Nodes *n, int i, int j, double share, double to[3])
 		to[c] = x[c] + share*sum[c]/count;
 }
 
-/* Moves the marked nodes at once, and clears the marks. */
+/* Moves all marked nodes, each by the old positions of its neighbours, and clears the marks. */
 static void
 move_marked(const Nodes *n, double share)
 {

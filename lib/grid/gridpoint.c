@@ -5,7 +5,7 @@
 #include "bicubic.h"
 #include "gridpoint.h"
 
-static const double SLACK = 1e-6;       /* share of a side by which (u,v) may lie outside */
+static const double SLACK = 1e-6;       /* (u,v) may lie outside by this fraction of a side */
 
 void
 gridpoint(Chart g, int n, const double *const f[], double u, double v, double *x)

@@ -21,7 +21,8 @@ segment2(const double a[3], const double e[3], const double x[3])
 	return dot3(d, d);
 }
 
-/* The squared distance of x from the triangle a, b, c; it may be a line or a point. */
+/* The squared distance of x from the triangle a, b, c, which may be degenerate (a line or a
+ * point). */
 static double
 triangle2(const double *a, const double *b, const double *c, const double x[3])
 {
@@ -65,7 +66,7 @@ box(const GridTree *t, int level, int i, int j)
 	return t->box[level] + 6*((size_t)j*t->nu[level] + i);
 }
 
-/* Makes the box b hold the box from lo to hi. */
+/* Enlarges the box b so that it contains the box from lo to hi. */
 static void
 widen(double b[6], const double lo[3], const double hi[3])
 {
@@ -77,7 +78,7 @@ widen(double b[6], const double lo[3], const double hi[3])
 	}
 }
 
-/* The box of block (i,j) of nodes. */
+/* Enlarges the box b so that it contains the nodes of block (i,j) of cells. */
 static void
 block_box(const GridTree *t, int i, int j, double b[6])
 {

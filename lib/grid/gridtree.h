@@ -1,7 +1,8 @@
 /* gridtree.h - the distance of points from a gridded surface, by a pyramid of boxes.
  *
- * The boxes of blocks of 4 x 4 cells are joined two by two along u and v up to one box.  A
- * search goes down into the nearer boxes first and leaves out those farther than the best so far.
+ * The lowest level has one box for each block of 4 x 4 cells.  A box of the next level contains 2 x
+ * 2 of these, and so on up to a single box.  A search goes down into the nearest box first, and
+ * leaves out boxes that are farther than the smallest distance found so far.
  */
 #ifndef GRIDTREE_H
 #define GRIDTREE_H
@@ -14,10 +15,11 @@ typedef struct GridTree {
 	const Mesh *m;          /* of mesh_from_grid, must outlive the tree */
 	int     ncu, ncv;       /* cells along u and v */
 	int     levels, nu[GRIDTREE_LEVELS], nv[GRIDTREE_LEVELS];
-	double *box[GRIDTREE_LEVELS];   /* [nv][nu][6] lowest and highest x y z; box[0] holds all */
+	double *box[GRIDTREE_LEVELS];   /* [nv][nu][6] lowest x y z, highest x y z; box[0]: all */
 } GridTree;
 
-/* nu x nv: the nodes of m.  Returns 0 or MESH_ENOMEM, with nothing to free. */
+/* nu x nv is the number of nodes of the grid of m.  Returns 0 or MESH_ENOMEM, with nothing to
+ * free. */
 int  gridtree_init(GridTree *t, const Mesh *m, int nu, int nv);
 void gridtree_free(GridTree *t);
 

@@ -6,7 +6,7 @@
 /* phi_u and phi_v count as parallel if |phi_u x phi_v| is at most this times lambda^2. */
 static const double PARALLEL = 1e-14;
 
-/* lambda and H at inner node (i,j); H is not a number if phi_u and phi_v are parallel. */
+/* lambda and H at inner node (i,j); H is NaN if phi_u and phi_v are parallel. */
 static void
 at_node(Chart g, const double *const phi[3], int curvature, int i, int j, double *lambda, double *H)
 {
@@ -27,7 +27,8 @@ at_node(Chart g, const double *const phi[3], int curvature, int i, int j, double
 	*H = along/(2*lambda2);                                         /* (26), (9) */
 }
 
-/* Raises lambda to its least value, as log lambda and 1/lambda are needed, and keeps H finite. */
+/* Raises lambda to at least 1e-4 of its root mean square, because log lambda and 1/lambda are
+ * needed, and sets H to 0 where lambda was raised or H is not finite. */
 static LambdahFlaws
 repair(Chart g, double *lambda, double *H)
 {
@@ -64,7 +65,8 @@ clamp(double x, double lo, double hi)
 	return x < lo ? lo : x > hi ? hi : x;
 }
 
-/* Extrapolates to the n nodes p = first + l*stride of a side from the rings at p + in and p + 2 in. */
+/* Extrapolates to the n nodes p = first + l*stride of a side from the two nodes inside each, p + in
+ * and p + 2 in. */
 static void
 extend(int n, int first, int stride, int in, double *lambda, double *H)
 {
@@ -94,7 +96,7 @@ extend_sides(Chart g, double *lambda, double *H)
 		extend(g.nu, (g.nv - 1)*g.nu, 1, -g.nu, lambda, H);
 }
 
-enum { CORNER = 8 };
+enum { CORNER = 8 };    /* nodes */
 
 /* Whether node i of n is within CORNER nodes of an end with an open side. */
 static int
@@ -110,8 +112,8 @@ in_corner(Chart g, int p)
 	return near_end(stencil_inner(g, 0), g.nu, p%g.nu) && near_end(stencil_inner(g, 1), g.nv, p/g.nu);
 }
 
-/* Where the boundary of the mesh is smooth at a corner of the rectangle, lambda goes to 0 there
- * and H, at a few nodes, to 10^3 times the rest, which swamps the whole spectrum of H. */
+/* Where the boundary of the mesh is smooth at a corner of the rectangle, lambda goes to 0.  H then
+ * reaches 10^3 times its usual size at a few nodes there, and these dominate its whole spectrum. */
 void
 lambdah_limit_corners(Chart g, double *H)
 {

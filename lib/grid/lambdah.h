@@ -6,27 +6,28 @@
 
 /* How H is computed from the Laplacian of phi. */
 enum {
-	LAMBDAH_NORMAL,         /* its part along n: H = <Delta phi, n>/(2 lambda^2) */
-	LAMBDAH_MAGNITUDE       /* its length, the paper's (26): the same for an exactly conformal
-	                         * grid; on others it includes the tangential error */
+	LAMBDAH_NORMAL,         /* its normal component: H = <Delta phi, n>/(2 lambda^2) */
+	LAMBDAH_MAGNITUDE       /* its length with the sign of <Delta phi, n>, (26) of the paper:
+	                         * equal to LAMBDAH_NORMAL on an exactly conformal grid; on others
+	                         * it contains a tangential error */
 };
 
-/* Numbers of inner nodes where lambda or H does not have the value of the equations. */
+/* How many inner nodes have another lambda or H than the equations give. */
 typedef struct LambdahFlaws {
-	int raised;             /* lambda was below its least value, or H not finite; H is 0 */
-	int parallel;           /* phi_u and phi_v are parallel, to rounding; H is 0 */
+	int raised;             /* lambda was too small, or H infinite: lambda is least, H is 0 */
+	int parallel;           /* phi_u and phi_v were parallel up to rounding: H is 0 */
 } LambdahFlaws;
 
-/* lambda and H of phi, at least 4 nodes in either direction.
+/* lambda and H of phi.  The grid has at least 4 nodes in either direction.
  *
  *   lambda^2 = (|phi_u|^2 + |phi_v|^2)/2                                     (25)
  *   H        = <phi_uu + phi_vv, n>/(2 lambda^2)                             (26)-(29)
  *
- * Inside: central differences of second order with steps h and k.  On the outermost ring no
- * differences are used, as a corner of the rectangle is a square-root singularity of the map.  H
- * is extrapolated linearly and lambda geometrically from the two rings inside it; the ratio for
- * lambda is limited to [1/2, 2] and the increment of H to |H| of the inner ring.
- * doc/mathematics.md 4.3, 4.4.
+ * At inner nodes these are central differences of second order with steps h and k.  On the
+ * outermost ring no differences are used, because the map has square-root singularities at the
+ * corners of the rectangle.  There H is extrapolated linearly and lambda geometrically from the
+ * next two rings: the ratio for lambda is limited to [1/2, 2], and the increment of H to |H| on the
+ * next ring.  doc/mathematics.md 4.3, 4.4.
  *
  * lambda is at least 1e-4 of its root mean square.  phi, lambda and H are [nv][nu].
  *
@@ -34,20 +35,21 @@ typedef struct LambdahFlaws {
  * needs it. */
 LambdahFlaws lambdah(Chart g, const double *const phi[3], int curvature, double *lambda, double *H);
 
-/* Limits |H| within eight nodes of a corner to four times its root mean square elsewhere, if the grid
- * has more than 24 nodes in both directions. */
+/* Limits |H| within eight nodes of a corner to four times its root mean square elsewhere, if the
+ * grid has more than 24 nodes in both directions. */
 void lambdah_limit_corners(Chart g, double *H);
 
-/* The residual channels: the part of the fundamental forms that (lambda, H) do not determine on
- * a grid that is not quite conformal; at inner nodes, 0 at others (doc/mathematics.md 6.7).
+/* The residual channels: what lambda and H do not say about the first derivatives and the Laplacian
+ * of phi when the grid is not quite conformal (doc/mathematics.md 6.7).  They are 0 at nodes that
+ * are not inner nodes.
  *
  *   nu[0] = (|phi_u|^2 - |phi_v|^2)/(2 lambda^2)     tau[0] = <Delta phi, phi_u>/lambda^2
  *   nu[1] = <phi_u, phi_v>/lambda^2                  tau[1] = <Delta phi, phi_v>/lambda^2 */
 void lambdah_residue(Chart g, const double *const phi[3], const double *lambda, double *const nu[2],
 	double *const tau[2]);
 
-/* Modulus of the Beltrami coefficient of phi at each inner node, stencil_inner_count(g) values
- * in row order: 0 where phi is conformal, 1 where it has no tangent plane.
+/* Modulus of the Beltrami coefficient of phi at the inner nodes: stencil_inner_count(g) values, row
+ * by row.  It is 0 where phi is conformal, and 1 where the surface has no tangent plane.
  *
  *   |mu_B|^2 = (E + G - 2 sqrt(EG - F^2))/(E + G + 2 sqrt(EG - F^2)) */
 void beltrami(Chart g, const double *const phi[3], double *mu);

@@ -4,7 +4,8 @@
 
 #include "resample.h"
 
-/* Along one axis: e_i = sum over k < count[i] of weight[i*most + k] f[first[i] + k]. */
+/* Weights along one axis, for n new samples: e_i is the sum over k < count[i] of
+ * weight[i*most + k] f[first[i] + k]. */
 typedef struct Axis {
 	int     n, most;
 	int    *first, *count;
@@ -19,7 +20,7 @@ axis_free(Axis *a)
 	free(a->weight);
 }
 
-/* The caller frees a even if this fails. */
+/* The caller must free a, even if this fails. */
 static int
 axis_init(Axis *a, int n, int most)
 {
@@ -28,7 +29,8 @@ axis_init(Axis *a, int n, int most)
 	return a->first && a->count && a->weight ? 0 : RESAMPLE_ENOMEM;
 }
 
-/* Lagrange's polynomial through up to four nodes around each place. */
+/* Weights of Lagrange interpolation by four nodes round each new place (by all, if there are
+ * fewer). */
 static int
 cubic_axis(Axis *a, int from, double end, int to)
 {
@@ -75,7 +77,7 @@ mean_axis(Axis *a, int from, int to)
 	return 0;
 }
 
-/* One line of samples f, fstep apart, to a->n numbers e, estep apart. */
+/* Resamples one line: f has samples at stride fstep, e gets a->n numbers at stride estep. */
 static void
 apply(const Axis *a, const double *f, long fstep, double *e, long estep)
 {

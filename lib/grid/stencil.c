@@ -1,4 +1,4 @@
-/* stencil.c - finite differences beside the sides of a chart. */
+/* stencil.c - finite differences at and near the sides of a chart. */
 #include "stencil.h"
 
 Range

@@ -1,11 +1,12 @@
 /* stencil.h - finite differences on the nodes of a chart.
  *
- * Central differences and the five-point Laplacian at inner nodes: those on none of the open
- * sides of the chart (chart.h).  Beyond a joined side the chart defines the neighbours.  On an
- * open side first differences are one-sided, and also of second order.
+ * Inner nodes are those on no open side of the chart (chart.h); they have central differences and
+ * the five-point Laplacian.  Neighbours beyond a joined side are defined by the chart.  On an open
+ * side first differences are one-sided, and of second order, too.
  *
- * There are two versions: for one node, and for four nodes of a row at a time.  The first
- * divides by steps, the second multiplies by inverse steps, so their last bits differ.
+ * There are two versions of the differences: for one node, and for four nodes of a row at a time.
+ * The first divides by the steps, the second multiplies by inverse steps, so results differ in last
+ * bits.
  */
 #ifndef STENCIL_H
 #define STENCIL_H
@@ -21,7 +22,8 @@ typedef struct Range {
 	int from, to;
 } Range;
 
-/* The inner nodes along u (axis 0) or v (axis 1), and how many there are in all. */
+/* The inner nodes along u (axis 0) or v (axis 1); the number of inner nodes of the grid; and
+ * whether node (i,j) is one. */
 Range  stencil_inner(Chart g, int axis);
 size_t stencil_inner_count(Chart g);
 int    stencil_is_inner(Chart g, int i, int j);
@@ -42,8 +44,9 @@ stencil_node(Chart g, int i, int j, int *sign)
 
 /* ---- one node -------------------------------------------------------- */
 
-/* w[0] f[node[0]] + w[1] f[node[1]] + w[2] f[node[2]] for a field f; the weights are integers,
- * to be divided by twice the step (first) or by its square (second). */
+/* The sum w[0] f[node[0]] + w[1] f[node[1]] + w[2] f[node[2]] for a field f.  The weights are
+ * integers: the sum is to be divided by twice the step for a first derivative, by its square for a
+ * second. */
 typedef struct Stencil {
 	size_t node[3];
 	double w[3];
@@ -55,11 +58,11 @@ stencil_sum(const Stencil *s, const double *f)
 	return s->w[0]*f[s->node[0]] + s->w[1]*f[s->node[1]] + s->w[2]*f[s->node[2]];
 }
 
-/* 2h f_u (axis 0) or 2k f_v (axis 1) at node (i,j) for order 1: central, or one-sided on an open
- * side.  h^2 f_uu or k^2 f_vv at inner node (i,j) for order 2. */
+/* Order 1: 2h f_u (axis 0) or 2k f_v (axis 1) at any node (i,j), central, or one-sided on an open
+ * side.  Order 2: h^2 f_uu (axis 0) or k^2 f_vv (axis 1) at an inner node (i,j). */
 Stencil stencil_at(Chart g, int axis, int order, int i, int j);
 
-/* The same at a node with neighbours in the grid. */
+/* The same at a node all of whose neighbours are in the grid (stencil_is_within). */
 INLINE Stencil
 stencil_within(Chart g, int axis, int order, int i, int j)
 {
@@ -125,18 +128,18 @@ void stencil_second_form(Chart g, const double *const phi[3], int i, int j, doub
 enum { NODES = 4 };
 typedef double Nodes __attribute__((vector_size(NODES*sizeof(double))));
 
-/* The nodes (i,j), (i+1,j), .. of a row, count <= NODES of them.  If there are fewer, the
- * remaining lanes repeat the first. */
+/* Up to NODES nodes of a row: (i,j), (i+1,j), .., count of them.  If count < NODES, the remaining
+ * lanes repeat the first node. */
 typedef struct Quad {
 	Chart  g;
-	double per_h, per_k;    /* inverse steps */
-	int    i, j, to, count;
-	size_t p;               /* number of the first */
+	double per_h, per_k;    /* 1/h, 1/k */
+	int    i, j, to, count; /* to: end of the row */
+	size_t p;               /* number of node (i,j) */
 	int    inside;          /* count is NODES, and all neighbours are nodes of the grid */
 } Quad;
 
-/* The lanes of f at places (i,j), (i+1,j), .., count of them.  Beyond a joined side the chart
- * defines the node, and if odd the sign of f there. */
+/* Loads f at (i,j), (i+1,j), .., count places, into the lanes x.  A place may lie beyond a joined
+ * side: the chart then defines its node and, if f is odd, the sign of f there. */
 void quad_beside(Chart g, const double *f, int i, int j, int count, int odd, double x[NODES]);
 
 INLINE void
@@ -146,7 +149,7 @@ quad_set(Quad *q)
 	q->inside = q->count == NODES && q->i > 0 && q->i + NODES < q->g.nu && q->j > 0 && q->j < q->g.nv - 1;
 }
 
-/* for (q = quad_row(g, r, j); q.count > 0; quad_next(&q)) runs over the nodes r of row j. */
+/* for (q = quad_row(g, r, j); q.count > 0; quad_next(&q)) visits the nodes i in r of row j. */
 INLINE Quad
 quad_row(Chart g, Range r, int j)
 {
@@ -179,7 +182,8 @@ quad_neighbours(const Quad *q, const double *f, int di, int dj, Nodes *x)
 	memcpy(x, f, sizeof *x);
 }
 
-/* f itself; odd fields with the sign of the chart. */
+/* Loads f at the places of q.  quad_load_odd is for odd fields: beyond a joined side the chart may
+ * change their sign (chart.h). */
 INLINE void
 quad_load(const Quad *q, const double *f, Nodes *x)
 {
@@ -200,7 +204,8 @@ quad_load_odd(const Quad *q, const double *f, Nodes *x)
 	memcpy(x, f, sizeof *x);
 }
 
-/* f_u, f_v and Delta f of the three fields f, [3][nv][nu], at places of complete stencils. */
+/* f_u, f_v and Delta f of three fields, f[3][nv][nu], at places with complete stencils
+ * (stencil_reach). */
 INLINE void
 quad_differences(const Quad *q, const double *f, Nodes u[3], Nodes v[3], Nodes L[3])
 {
@@ -221,12 +226,12 @@ quad_differences(const Quad *q, const double *f, Nodes u[3], Nodes v[3], Nodes L
 	}
 }
 
-/* The transpose: the part of row j of D_u'f_u + D_v'f_v + Delta'f_L in nodes r.
+/* The transpose of quad_differences: row j of D_u'f_u + D_v'f_v + Delta'f_L, at the nodes i in r.
  *
- * u        in   f_u in row j, v and L in rows j-1, j, j+1: [-1 .. nu], the places of
- *               stencil_reach, 0 at others; at places beyond a side with the signs and
- *               directions of u and v that hold there
- * out      out  row j, other nodes untouched */
+ * u        in   f_u in row j, indices -1 .. nu; 0 outside the places of stencil_reach
+ * v, L     in   f_v and f_L, likewise, in rows j-1, j, j+1.  At places beyond a side all three have
+ *               the signs and the directions of u and v that hold there
+ * out      out  row j; nodes outside r are not changed */
 INLINE void
 stencil_transposed(Chart g, Range r, const double *u, const double *const v[3],
 	const double *const L[3], double *out)

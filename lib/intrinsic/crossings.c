@@ -65,7 +65,7 @@ crossings_across(const Intrinsic *t, Crossing a)
 	return (Crossing){ t->twin[a.side], crossings_on(t, a.side) - 1 - a.at };
 }
 
-/* The crossings of the new edge, while they are collected. */
+/* The mesh edges that cross the new edge, collected so far in order. */
 typedef struct List {
 	int *edge, n;
 } List;
@@ -91,7 +91,8 @@ add_from_outer_side(const Intrinsic *t, int h, int outer, int turning, List *l)
 	}
 }
 
-/* The mesh edges that start at the corner opposite to `side`, from the end of that side. */
+/* Adds the mesh edges that go from the corner opposite to `side` across `side`, in their order from
+ * its end to its start. */
 static void
 add_from_corner(const Intrinsic *t, int side, List *l)
 {
@@ -102,7 +103,8 @@ add_from_corner(const Intrinsic *t, int side, List *l)
 			l->edge[l->n++] = crossings_mesh_edge(t, side, p);
 }
 
-/* The mesh edge that runs from the corner opposite to side h to that opposite to its twin, or -1. */
+/* The mesh edge that runs from the corner opposite to side h to the corner opposite to its twin, or
+ * -1 if there is none.  It becomes the new edge. */
 static int
 mesh_edge_along(const Intrinsic *t, int h)
 {
@@ -117,9 +119,9 @@ mesh_edge_along(const Intrinsic *t, int h)
 	return -1;
 }
 
-/* With h from i to j, k opposite to it and l opposite to its twin g, the new edge goes from k to l.
- * From k on it crosses the mesh edges that come across ki, then those that start at i, then those
- * across il. */
+/* Let side h run from i to j, with k the corner opposite to h and l the corner opposite to its twin
+ * g.  The new edge goes from k to l.  In this order it crosses the mesh edges that come across ki,
+ * those that start at i (ij among them, if it is one), and those that come across il. */
 int
 crossings_flip(Intrinsic *t, int h)
 {

@@ -23,15 +23,15 @@ add_point(EdgePoints *p, SurfacePoint point)
 	return 0;
 }
 
-/* A point of an edge: one of its ends, or a crossing. */
+/* A point of an intrinsic edge: one of its ends, or a crossing with a mesh edge. */
 typedef struct Stop {
 	double at;              /* 0..1 along the edge */
-	int    vertex;          /* -1: a crossing */
-	int    side;            /* the side of the mesh that is crossed; -1 at a vertex */
+	int    vertex;          /* the end, or -1 at a crossing */
+	int    side;            /* a side of the mesh edge that is crossed; -1 at a vertex */
 	double place;           /* 0..1 along that side */
 } Stop;
 
-/* Stop k of edge e: its start for -1, then its crossings, then its end. */
+/* Stop k of edge e: -1 is its start, 0 .. n-1 are its n crossings, n is its end. */
 static Stop
 stop(const Intrinsic *t, const Places *p, int e, int k)
 {
@@ -45,8 +45,8 @@ stop(const Intrinsic *t, const Places *p, int e, int k)
 	return (Stop){ p->on_edge[at], -1, t->mesh_side[t->crossing[e][k]], p->on_mesh[at] };
 }
 
-/* Whether the stop is a corner of triangle f of the mesh, or on a side of it.
- * w: out, its barycentric coordinates there. */
+/* Whether the stop is a corner of triangle f of the mesh, or on a side of it.  If so, w is set to
+ * its barycentric coordinates in f. */
 static int
 has_stop(const Disk *d, int f, const Stop *s, double w[3])
 {
@@ -65,8 +65,8 @@ has_stop(const Disk *d, int f, const Stop *s, double w[3])
 	return 1;
 }
 
-/* A point between two neighbouring stops of an edge, 0..1 from the first.  Between them the edge
- * runs within a triangle of the mesh. */
+/* The point between two neighbouring stops a and b of an edge, at `place` 0..1 from a.  Between
+ * them the edge runs within one triangle of the mesh. */
 static SurfacePoint
 between(const Disk *d, const Stop *a, const Stop *b, double place)
 {

@@ -4,19 +4,20 @@
 
 #include "intrinsic.h"
 
-/* A growing list; begins as { 0 }.  The caller frees point. */
+/* A growing list of points.  Initialise it to { 0 }; the caller frees point. */
 typedef struct EdgePoints {
 	SurfacePoint *point;
 	int           n, room;
 } EdgePoints;
 
-/* Adds the middles of the marked edges.  marked: [t->ne], 0 or 1.  Returns 0 or INTRINSIC_ENOMEM. */
+/* Adds the midpoints of the marked edges that are longer than INTRINSIC_SHORTEST.  marked: [t->ne],
+ * 0 or 1.  Returns 0 or INTRINSIC_ENOMEM. */
 int edgepoints_middles(const Intrinsic *t, const Disk *mesh, const unsigned char *marked,
 	EdgePoints *points);
 
-/* Adds the feet of obtuse angles opposite to boundary edges, as points of these edges: with such an
- * angle, the triangulation and its mirror image beyond the boundary are together not Delaunay.
- * Returns 0 or INTRINSIC_ENOMEM. */
+/* For each boundary edge with an obtuse angle opposite to it, adds the foot of the perpendicular
+ * from that corner to the edge.  With such an angle, the triangulation together with its mirror
+ * image beyond the boundary would not be Delaunay.  Returns 0 or INTRINSIC_ENOMEM. */
 int edgepoints_feet(const Intrinsic *t, EdgePoints *points);
 
 #endif

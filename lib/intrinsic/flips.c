@@ -6,14 +6,14 @@
 #include "crossings.h"
 #include "flips.h"
 
-enum { FLIPS = 20, SOME = 200000 };     /* flips at most: FLIPS per triangle and SOME */
+enum { FLIPS = 20, SOME = 200000 };     /* at most FLIPS*nf + SOME flips */
 static const double COCIRCULAR = 1e-8; /* two cotangents count as opposite if their sum is this small,
                                          * relative to them or to 1: either diagonal is Delaunay */
 static const double EQUAL = 1e-9;       /* difference of equal keys */
 
-/* The data of a side, while it gets another number. */
+/* The data of a side while it is renumbered. */
 typedef struct Moved {
-	int twin, edge, leads;  /* leads: it gives its edge the direction */
+	int twin, edge, leads;  /* leads: 1 if it gives its edge its direction */
 } Moved;
 
 static Moved
@@ -53,7 +53,8 @@ turn_outer_sides(Intrinsic *t, const int old[4], const int new[4])
 		put_side(t, new[i], m[i]);
 }
 
-/* Replaces the edge of side h, from i to j, by the other diagonal, from k to l. */
+/* Replaces the edge of side h, from i to j, by the other diagonal of its two triangles, from k to
+ * l. */
 static int
 flip(Intrinsic *t, int h)
 {
@@ -72,17 +73,17 @@ flip(Intrinsic *t, int h)
 	return 0;
 }
 
-/* Whether the keys, continued linearly along both diagonals of a quadrilateral, are larger on the one
- * from i to j, at the share x of it, than on the one from k to l, at the share y: where they cross. */
+/* The diagonals ij and kl of a quadrilateral cross at the fraction x of ij and y of kl.  Tells
+ * whether the key, interpolated linearly along each diagonal, is larger there on ij than on kl. */
 static int
 is_higher(const double *key, int i, int j, double x, int k, int l, double y)
 {
 	return key && key[i] + x*(key[j] - key[i]) > key[k] + y*(key[l] - key[k]) + EQUAL;
 }
 
-/* Whether the edge of side h is not Delaunay; or, if either diagonal is, whether the other has the
- * smaller keys.  The keys act as heights over the plane: flips go down to the lower hull, which is the
- * same wherever they begin. */
+/* Whether to flip the edge of side h: it is not Delaunay, or both diagonals are and the other one
+ * has the smaller key where they cross.  The keys act as heights over the plane of cocircular
+ * vertices.  Such flips lead to the lower convex hull, whatever triangulation they begin with. */
 static int
 is_to_flip(const Intrinsic *t, const double *key, int h)
 {
@@ -104,11 +105,11 @@ is_to_flip(const Intrinsic *t, const double *key, int h)
 	    t->from[intrinsic_last(h)], t->from[intrinsic_last(g)], y);
 }
 
-/* A stack of edges, each at most once. */
+/* A stack that contains each edge at most once. */
 typedef struct Stack {
 	int           *edge, n;
 	unsigned char *on;
-	const unsigned char *fixed;     /* edges that never get on it, or NULL */
+	const unsigned char *fixed;     /* 1: edges that are never pushed; or NULL */
 } Stack;
 
 static void
@@ -144,7 +145,8 @@ flip_all(Intrinsic *t, const double *key, Stack *s)
 	return 0;
 }
 
-/* Makes t Delaunay by flips of the edges that are not fixed.  fixed: [ne], NULL if no edge is. */
+/* Makes t Delaunay by flips of the edges that are not fixed.  fixed: [ne], or NULL if all may be
+ * flipped. */
 static int
 delaunay(Intrinsic *t, const double *key, const unsigned char *fixed)
 {

@@ -4,19 +4,24 @@
 
 #include "intrinsic.h"
 
-/* Flips the edges of s within faces of its given disk until they are Delaunay there.  The surface
- * stays the same, and fewer edges of s cross those of its intrinsic Delaunay triangulation.  Returns
- * 0 or INTRINSIC_ENOMEM. */
+/* Flips the edges of s that lie within faces of its given disk until they are Delaunay.  The
+ * surface stays the same, and fewer edges of s cross the edges of its intrinsic Delaunay
+ * triangulation.
+ *
+ * key  in  as for intrinsic_delaunay
+ *
+ * Returns 0 or INTRINSIC_ENOMEM. */
 int  intrinsic_improve(Subdivision *s, const double *key);
 
 /* Flips edges until the triangulation is Delaunay: the two angles opposite to an inner edge sum to
- * at most pi.  Of four vertices on a circle either diagonal is Delaunay.  Then the one is taken on
- * which the keys, continued linearly, are smaller where both cross: so the result does not depend on
- * the numbering.
+ * at most pi.  If the four vertices lie on a circle, both diagonals are Delaunay.  Then the
+ * diagonal is taken on which the key, interpolated linearly, is smaller where the two cross, so
+ * that the result does not depend on the numbering.
  *
- * key  in  [nv] in general position: not linear along the surface; or NULL
+ * key  in  [nv] numbers that are not a linear function on any four such vertices; or NULL: either
+ *          diagonal may remain
  *
- * Ends after 20 flips per triangle and 200000 more, should rounding prevent an end.
+ * Stops after 20 flips per triangle plus 200000, in case rounding makes it flip for ever.
  * Returns 0 or INTRINSIC_ENOMEM. */
 int  intrinsic_delaunay(Intrinsic *t, const double *key);
 

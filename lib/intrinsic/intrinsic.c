@@ -6,11 +6,11 @@
 #include "../base/vec3.h"
 #include "intrinsic.h"
 
-static const double THIN = 1e-10;        /* least excess of two sides over the third, in units of the
-                                         * shortest */
+static const double THIN = 1e-10;        /* two sides exceed the third by at least this
+                                         * times the shortest */
 enum { PASSES = 100 };                  /* rounds of mollification, at most */
-static const double STEEPEST = 1e10;    /* largest cotangent: beside a larger one other weights would
-					 * be lost to rounding */
+static const double STEEPEST = 1e10;    /* largest cotangent: a larger one would make the others of
+					 * its row vanish in rounding */
 
 static int
 allocate(Intrinsic *t)
@@ -31,7 +31,7 @@ allocate(Intrinsic *t)
 	    && t->along && t->crossing && t->crossings ? 0 : INTRINSIC_ENOMEM;
 }
 
-/* Numbers the edges by their lower sides. */
+/* Numbers the edges in the order of their sides of lower number. */
 static void
 number_edges(Intrinsic *t)
 {
@@ -49,7 +49,7 @@ number_edges(Intrinsic *t)
 	}
 }
 
-/* The lengths in the metric (3) of the mesh. */
+/* Sets the lengths, in the metric (3) of the mesh, in units of the longest edge. */
 static void
 measure(Intrinsic *t, const Mesh *m)
 {
@@ -85,7 +85,8 @@ intrinsic_init(Intrinsic *t, const Disk *d)
 	return 0;
 }
 
-/* Of triangle f: its shortest edge, and how much longer it must be. */
+/* Returns by how much the shortest edge of triangle f must grow; not above 0 if it is long
+ * enough. */
 static double
 shortfall(const Intrinsic *t, int f, int *shortest)
 {

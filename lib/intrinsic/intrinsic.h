@@ -10,13 +10,14 @@
 
 enum { INTRINSIC_ENOMEM = -1 };
 
-/* In units of the longest edge.  A shorter edge than FINEST is given the length FINEST, because below
- * it the rounding of coordinates decides the shape.  Edges no longer than SHORTEST are not split. */
+/* Lengths in units of the longest edge.  Shorter edges than FINEST get the length FINEST, because
+ * their true length is lost in the rounding of coordinates.  Edges up to the length SHORTEST are
+ * not split. */
 #define INTRINSIC_FINEST   1e-10
 #define INTRINSIC_SHORTEST 1e-9
 
-/* Side 3*t + k of triangle t runs from its corner k to the next.  An edge has the direction of
- * side[edge]. */
+/* Side 3*t + k of triangle t runs from its corner k to the next.  Edge e has the direction of
+ * side[e]. */
 typedef struct Intrinsic {
 	int     nv, nf, ne;
 	int    *from;           /* [3*nf] the vertex at which a side starts */
@@ -24,12 +25,12 @@ typedef struct Intrinsic {
 	int    *edge;           /* [3*nf] the edge of a side */
 	int    *side;           /* [ne] the side that gives an edge its direction */
 	double *length;         /* [ne] in units of the longest edge of the mesh */
-	int    *mesh_side;      /* [ne] a side of each edge of the mesh, as the disk numbers it */
+	int    *mesh_side;      /* [ne] a side of each mesh edge, by its number in the disk */
 	int    *mesh_from;      /* [ne] the vertex at which that side starts */
-	int    *along;          /* [ne] the edge of the mesh that this edge is, or -1 */
-	int   **crossing;       /* [ne] the edges of the mesh that cross this one, from its start; or
-	                         * NULL, if crossings are not recorded */
-	int    *crossings;      /* [ne] their number */
+	int    *along;          /* [ne] the mesh edge that coincides with this edge, or -1 */
+	int   **crossing;       /* [ne] mesh edges that cross this edge, in order from its start;
+	                         * NULL if crossings are not recorded */
+	int    *crossings;      /* [ne] how many mesh edges cross each edge */
 } Intrinsic;
 
 /* The triangulation of the mesh itself.  Lengths are in units of the longest edge.
@@ -38,9 +39,9 @@ typedef struct Intrinsic {
 int  intrinsic_init(Intrinsic *t, const Disk *d);
 void intrinsic_free(Intrinsic *t);
 
-/* Makes the shortest edges of triangles that are flat to rounding a little longer, until two sides
- * exceed the third by 1e-7 of the shortest: flat triangles have no usable angles.  To be called
- * before any flip.  Returns 0 or INTRINSIC_ENOMEM. */
+/* Lengthens the shortest edge of each triangle that is flat up to rounding, until two sides exceed
+ * the third by 1e-10 of the shortest, in at most 100 rounds.  Flat triangles have no usable
+ * angles.  Call it before any flip.  Returns 0 or INTRINSIC_ENOMEM. */
 int  intrinsic_mollify(Intrinsic *t);
 
 static inline int
@@ -72,14 +73,16 @@ intrinsic_length(const Intrinsic *t, int side)
 /* The area of the triangle with sides a, b, c; accurate for thin ones (Kahan). */
 double intrinsic_area(double a, double b, double c);
 
-/* The cotangent of the angle opposite to a side as a quotient; below is 0 in a flat triangle. */
+/* The cotangent of the angle opposite to a side as the quotient above/below.  below is 0 in a flat
+ * triangle. */
 void intrinsic_cotangent_parts(const Intrinsic *t, int side, double *above, double *below);
 
 /* The cotangent of the angle opposite to a side; at most 1e10 in modulus. */
 double intrinsic_cotangent(const Intrinsic *t, int side);
 
-/* The foot of the corner opposite to a side: its distance from the start of the side, which is
- * outside it if an angle beside it is obtuse; *height is the distance of the corner. */
+/* The foot of the perpendicular from the corner opposite to a side.  Returns its signed distance
+ * from the start of the side; it lies outside the side if an angle at the side is obtuse.  *height
+ * is the length of the perpendicular. */
 double intrinsic_foot(const Intrinsic *t, int side, double *height);
 
 #endif

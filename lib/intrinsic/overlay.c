@@ -30,7 +30,7 @@ crossings_of(const Overlaid *o, int h)
 	return o->t->crossings[o->t->edge[h]];
 }
 
-/* A convex polygon as triangles round its first corner. */
+/* Adds a convex polygon of n corners as a fan of triangles round corner[0]. */
 static void
 add_polygon(Overlaid *o, int n, const int *corner)
 {
@@ -45,7 +45,8 @@ add_polygon(Overlaid *o, int n, const int *corner)
 	}
 }
 
-/* The part between the corner of side h and the mesh edges round it: a triangle and quadrilaterals. */
+/* Adds the part of a triangle that the pieces round the corner at the start of side h cut off: a
+ * triangle at the corner, then a quadrilateral between each two neighbouring pieces. */
 static void
 add_round_corner(Overlaid *o, int h, int pieces)
 {
@@ -61,8 +62,9 @@ add_round_corner(Overlaid *o, int h, int pieces)
 	}
 }
 
-/* The corners of the middle polygon near the corner at which side h starts: that corner, or if
- * pieces go round it the two ends of the outermost one, counterclockwise.  Returns their number. */
+/* The corners of the middle polygon near the corner at which side h starts: that corner, or,
+ * if pieces cut it off, the two ends of the piece farthest from it, counterclockwise.  Returns how
+ * many corners these are. */
 static int
 remaining_corner(const Overlaid *o, int h, int pieces, int corner[2])
 {
@@ -77,7 +79,7 @@ remaining_corner(const Overlaid *o, int h, int pieces, int corner[2])
 	return 2;
 }
 
-/* The middle of a triangle without mesh edges that start at a corner. */
+/* Adds the rest of a triangle in which no mesh edge starts at a corner. */
 static void
 add_middle(Overlaid *o, int f, const Pieces *pieces)
 {
@@ -88,7 +90,7 @@ add_middle(Overlaid *o, int f, const Pieces *pieces)
 	add_polygon(o, n, corner);
 }
 
-/* The middle of a triangle in which mesh edges go from the corner where side h starts to the opposite
+/* Adds the rest of a triangle in which mesh edges go from the start of side h to the opposite
  * side. */
 static void
 add_fan(Overlaid *o, int h, const Pieces *pieces)
@@ -134,7 +136,7 @@ resize(double **x, size_t n)
 	return 0;
 }
 
-/* x at the crossings, linear along the edges of the triangulation. */
+/* Continues x to the crossings, linearly along the edges of the triangulation. */
 static void
 extend_map(const Overlaid *o, double *x)
 {
@@ -150,7 +152,7 @@ extend_map(const Overlaid *o, double *x)
 	}
 }
 
-/* Adds the crossings to the vertices of the mesh, whose triangles are still those of s. */
+/* Adds the crossings to s as vertices.  The triangles of s are not changed yet. */
 static int
 add_crossings(const Overlaid *o, Subdivision *s)
 {
@@ -186,10 +188,9 @@ add_crossings(const Overlaid *o, Subdivision *s)
 	return 0;
 }
 
-/* Fills twin: sides of opposite direction between the same vertices.  Where edges too short to be
- * split are doubled, more than two triangles may share their vertices: any two of these become
- * neighbours.
- * first: workspace, [nv+2]; at: [3*nf]. */
+/* Fills twin: pairs sides that run between the same two vertices in opposite directions.  Two edges
+ * may have the same ends if they were too short to be split.  More than two sides then fit, and any
+ * two of opposite direction are paired.  first, at: workspace, [nv+2] and [3*nf]. */
 static void
 match_sides(int nv, int nf, const int *tri, int *first, int *at, int *twin)
 {
@@ -217,7 +218,7 @@ match_sides(int nv, int nf, const int *tri, int *first, int *at, int *twin)
 	}
 }
 
-/* The triangles and their twins in place of those of the mesh. */
+/* Replaces the triangles and twins of s by those of the common subdivision. */
 static int
 replace_triangles(Overlaid *o, Subdivision *s)
 {

@@ -6,18 +6,20 @@
 #include "crossings.h"
 #include "places.h"
 
-/* One crossing of a mesh edge, in the plane that its triangles are unfolded into: the side through
- * which it leaves a triangle, and the end and the start of that side. */
+/* One crossing of a mesh edge, in the plane that the triangles along it are unfolded into: the side
+ * through which the mesh edge leaves a triangle, and the positions of the end and start of that
+ * side. */
 typedef struct Step {
 	Crossing     at;
 	double complex end, start;
 } Step;
 
-/* A mesh edge and the triangles that it crosses, unfolded into the plane; it starts at 0. */
+/* A mesh edge and the triangles that it crosses, unfolded into the plane.  The mesh edge starts at
+ * 0. */
 typedef struct Strand {
 	Step          *step;
 	int            n, room;
-	double complex last;    /* the vertex at which it ends */
+	double complex last;    /* position of the vertex at which it ends */
 } Strand;
 
 static int
@@ -36,7 +38,8 @@ add_step(Strand *s, Step step)
 	return 0;
 }
 
-/* The corner opposite to a side that runs from p to q; it lies on the left. */
+/* Position of the corner opposite to a side that runs from p to q.  The corner lies left of the
+ * side. */
 static double complex
 opposite_corner(const Intrinsic *t, int side, double complex p, double complex q)
 {
@@ -46,7 +49,8 @@ opposite_corner(const Intrinsic *t, int side, double complex p, double complex q
 	return d > 0 ? p + (q - p)/d*CMPLX(x, y) : p;
 }
 
-/* Follows the mesh edge that starts at the corner opposite to side h and crosses it at p. */
+/* Follows the mesh edge that starts at the corner opposite to side h and crosses h at crossing
+ * p. */
 static int
 unfold(const Intrinsic *t, int h, int p, Strand *s)
 {
@@ -79,7 +83,8 @@ clamp(double x, double low, double high)
 	return !(x > low) ? low : x < high ? x : high;
 }
 
-/* The places of the crossings of a strand; its mesh edge is the straight line from 0 to s->last. */
+/* Sets the places of the crossings of a strand.  Its mesh edge is the straight line from 0 to
+ * s->last. */
 static void
 place_strand(const Intrinsic *t, const Strand *s, Places *p)
 {
@@ -121,7 +126,8 @@ place_all(const Intrinsic *t, Strand *s, Places *p)
 	return 0;
 }
 
-/* Rounding may exchange crossings that are close to each other: their order is known. */
+/* Makes the places on each edge ascending.  The order of crossings is known, but rounding may
+ * exchange the places of crossings that are close to each other. */
 static void
 keep_order(const Intrinsic *t, Places *p)
 {

@@ -1,4 +1,4 @@
-/* places.h - the places of the crossings of an intrinsic triangulation and its mesh. */
+/* places.h - where the edges of an intrinsic triangulation cross those of its mesh. */
 #ifndef PLACES_H
 #define PLACES_H
 
@@ -6,16 +6,16 @@
 
 #include "intrinsic.h"
 
-/* The places of all crossings.  Those on edge e of the triangulation have the numbers
- * first[e] .. first[e+1]-1, from its start. */
+/* The places of all crossings.  The crossings on edge e of the triangulation, in order from its
+ * start, have the numbers first[e] .. first[e+1]-1. */
 typedef struct Places {
 	size_t *first;          /* [ne+1] */
-	double *on_mesh;        /* 0..1 from the start of the mesh edge, as its mesh_side has it */
-	double *on_edge;        /* 0..1 from the start of the edge of the triangulation; ascending */
+	double *on_mesh;        /* [first[ne]] 0..1 along the mesh edge, from mesh_from */
+	double *on_edge;        /* [first[ne]] 0..1 along the edge, ascending */
 } Places;
 
-/* Unfolds the triangles along each edge of the mesh into the plane.  Returns 0 or INTRINSIC_ENOMEM; p
- * then holds nothing to free. */
+/* Unfolds the triangles along each edge of the mesh into the plane.  Returns 0 or INTRINSIC_ENOMEM;
+ * p then holds nothing to free. */
 int  places_init(const Intrinsic *t, Places *p);
 void places_free(Places *p);
 

@@ -1,4 +1,4 @@
-/* adapt.c - adaptive refinement: solve, split the facets with the largest share of the
+/* adapt.c - adaptive refinement: solve, split the triangles with the largest terms of the
  * certificate, solve again. */
 #include <math.h>
 #include <stdlib.h>
@@ -12,14 +12,14 @@
 #include "../mesh/topology.h"
 #include "../base/vec3.h"
 
-enum { GRADED = 3 };                    /* splits of the faces at the corners before any solve */
-enum { GROWTH = 4, FEW = 20000 };       /* if the tolerance is not reached with FEW vertices, nor
-                                         * with GROWTH times the given ones, the shape of the
-                                         * triangles is the reason */
+enum { GRADED = 3 };                    /* splits of the faces at the corners, before any solve */
+enum { GROWTH = 4, FEW = 20000 };       /* if more than FEW vertices, and more than GROWTH times
+                                         * the given ones, do not reach the tolerance, the cause
+                                         * is the shape of the triangles */
 
-/* The term of triangle t in the sum for T certificate (adapt.h).  With a, b its sides at
- * corner 0, g their Gram matrix and A its area,
- * grad u . grad u = (u_b^2 g_aa - 2 u_a u_b g_ab + u_a^2 g_bb)/(4 A^2). */
+/* The term of triangle t in the sum for T*certificate (adapt.h).  With a, b its sides at
+ * corner 0, g_aa, g_ab, g_bb their inner products, u_a, u_b the differences of u along them, and A
+ * the area, grad u . grad u = (u_b^2 g_aa - 2 u_a u_b g_ab + u_a^2 g_bb)/(4 A^2). */
 static double
 term(const AdaptMap *m, int t)
 {
@@ -38,8 +38,8 @@ term(const AdaptMap *m, int t)
 	return energy/(8*area) - (ua*vb - ub*va)/2;
 }
 
-/* Marks the triangles with the largest terms (worst.h).  Returns their number, or SPD_ENOMEM.  It is 0
- * if `most` is 0 or if rounding leaves no term above 0. */
+/* Marks the triangles with the largest terms (worst.h).  Returns their number, or SPD_ENOMEM.  It
+ * is 0 if `most` is 0, or if rounding leaves no positive sum of terms. */
 static int
 mark(const AdaptMap *m, int most, unsigned char *marked)
 {
@@ -68,7 +68,7 @@ find_corners(AdaptMap *m, const int vertex[4])
 				m->corner[k] = i;
 }
 
-/* The map of m's mesh. */
+/* Solves for the map of m's mesh; with coarse not NULL, by quadratic elements on it (rectmap.h). */
 static int
 solve(AdaptMap *m, const Disk *coarse, const int vertex[4], SpdReport *report)
 {
@@ -114,8 +114,8 @@ split_worst(AdaptMap *m, const int vertex[4], int most)
 	return split_marked(m, vertex, marked) ? SPD_ENOMEM : n;
 }
 
-/* Splits and solves until the certificate is small enough, or no face can be split.  ADAPT_HARD if that
- * takes too many vertices. */
+/* Splits and solves until the certificate is small enough, or no face can be split.  Returns
+ * ADAPT_HARD if that takes too many vertices. */
 static int
 refine(AdaptMap *a, const AdaptOptions *o, const int vertex[4], SpdReport *report)
 {
@@ -133,7 +133,7 @@ refine(AdaptMap *a, const AdaptOptions *o, const int vertex[4], SpdReport *repor
 	return e;
 }
 
-/* Splits all faces into four, o->split times or as often as o->most allows, and solves with
+/* Splits all faces into four, o->split times or as often as o->most allows.  Then solves with
  * quadratic elements on the mesh before the last split. */
 static int
 split_all(AdaptMap *m, const AdaptOptions *o, const int vertex[4], SpdReport *report)
@@ -154,8 +154,8 @@ split_all(AdaptMap *m, const AdaptOptions *o, const int vertex[4], SpdReport *re
 	return e;
 }
 
-/* Splits the faces at the corners into four.  At a corner on a smooth boundary the map is singular:
- * these faces would be the first to be split anyway, and a solve is saved. */
+/* Splits the faces at the corners into four.  Where the boundary is smooth at a corner, the map is
+ * singular, and these faces would be split first anyway; to do it at once saves solves. */
 static int
 split_corners(AdaptMap *m, const int vertex[4])
 {
@@ -179,8 +179,8 @@ split_corners(AdaptMap *m, const int vertex[4])
 	return split_marked(m, vertex, marked);
 }
 
-/* Splits the inner edges between two vertices of one side of the rectangle: the triangles that they
- * cut off would be flat. */
+/* Splits the inner edges between two vertices of the same side of the rectangle, because the map
+ * would make the triangles that they cut off flat. */
 static int
 split_chords(AdaptMap *m, const int vertex[4])
 {

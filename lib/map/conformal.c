@@ -9,12 +9,12 @@
 #include "rectmap.h"
 #include "untangle.h"
 
-/* Mean modulus of the Beltrami coefficient below which a grid from linear elements is not
- * polished: the error of H then comes from the roughness of (u,v), and polishing gains nothing.
- * With quadratic elements it comes from what the polish leaves, so those are always polished. */
+/* A grid from linear elements is not polished if its mean modulus of the Beltrami coefficient is at
+ * most this: the error of H then comes from the roughness of (u,v), which polishing does not
+ * lower.  Grids from quadratic elements are always polished. */
 static const double ENOUGH = 2e-4;
 
-/* A map at the vertices of d, which come first in u and v, and how it is to be sampled. */
+/* A map, and how it is to be sampled.  u and v begin with the values at the vertices of d. */
 typedef struct Sampling {
 	const Sampler *s;
 	const Disk    *d;
@@ -23,9 +23,9 @@ typedef struct Sampling {
 	const ConformalOptions *options;
 } Sampling;
 
-/* Samples a map on the grid g and polishes it; the polish moves the vertices of d in the chart with it.
- * If the grid has less than the area `least` before or after the polish, it is freed and
- * *less is set. */
+/* Samples a map on the grid g and polishes the grid, which also moves the vertices of d in the
+ * chart.  If the area of the grid is below `least` before or after that, *less is set, and the grid
+ * freed. */
 static int
 sample_and_polish(const Sampling *m, Chart g, double least, Conformal *c, int *less)
 {
@@ -47,7 +47,7 @@ sample_and_polish(const Sampling *m, Chart g, double least, Conformal *c, int *l
 	return e ? SPD_ENOMEM : 0;
 }
 
-/* The fewest cells that keep the share options->keep of the area. */
+/* Samples with the fewest cells whose grid has at least options->keep times the area of d. */
 static int
 sample_enough(const Sampling *m, Chart g, Conformal *c)
 {
@@ -78,8 +78,8 @@ typedef struct Solved {
 	double             T, enough;
 } Solved;
 
-/* Samples the surface.  A smooth one is sampled on d, but near triangles of d that are turned over
- * or flat on the facets of the finer mesh. */
+/* Samples the surface: a smooth one on d, but near triangles of d that the map turns over or makes
+ * flat on the facets of the finer mesh; a surface of facets on the finer mesh throughout. */
 static int
 sample(const Disk *d, const int corner[4], const Solved *m, Chart g, const ConformalOptions *options,
 	Conformal *c)
@@ -124,7 +124,7 @@ sample_intrinsic(const Disk *d, const int corner[4], IntrinsicMap *a, Chart g,
 	return sample(d, corner, &m, g, options, c);
 }
 
-/* Whether the tolerance was not reached, although vertices could be added. */
+/* Whether adapt_map missed the tolerance although it was allowed to add vertices. */
 static int
 missed(const Disk *d, const AdaptMap *a, const AdaptOptions *o)
 {

@@ -8,32 +8,32 @@
 typedef struct ConformalOptions {
 	AdaptOptions map;
 	int    surface;         /* SAMPLER_FACETS or SAMPLER_SMOOTH */
-	int    polish;          /* rounds at most */
-	double keep;            /* > 0: the fewest cells of conformal_cells, equally many along u and v,
-	                         * whose grid has this share of the area of the disk */
-	int    most;            /* then: cells at most, >= 4; as many if the share is not reached */
+	int    polish;          /* largest number of rounds of polishing */
+	double keep;            /* > 0: take the fewest cells of conformal_cells, equally many along
+	                         * u and v, whose grid keeps this share of the area of the disk */
+	int    most;            /* if keep > 0: largest number of cells along u and v, >= 4 */
 } ConformalOptions;
 
 typedef struct Conformal {
-	Grid    grid;           /* with its T */
+	Grid    grid;           /* its g.T is the height T of the map */
 	double *u, *v;          /* [nv] positions of the vertices of the disk in the
 	                         * chart of the grid */
 	double  certificate;    /* of the map, before the polish */
-	int     vertices;       /* of the mesh it was solved on */
-	int     overlaid;       /* triangles of the disk that the map turned over or made flat when drawn
-	                         * straight; facets are sampled near them (sampler_overlay) */
-	int     solved_turned;  /* triangles of the mesh it was solved on with (u,v) area < 0 */
-	int     turned;         /* triangles of the disk with (u,v) area < 0 */
-	int     polished;       /* rounds kept */
+	int     vertices;       /* of the mesh on which the map was solved */
+	int     overlaid;       /* triangles of the disk that are turned over or flat in (u,v), with
+	                         * straight sides; near them facets are sampled (sampler_overlay) */
+	int     solved_turned;  /* triangles of negative (u,v) area, of the mesh of the solve */
+	int     turned;         /* triangles of negative (u,v) area, of the disk, in the end */
+	int     polished;       /* rounds of polishing that were kept */
 } Conformal;
 
-/* Maps the disk d and samples it on g.nu x g.nv nodes (g.T is not read; nor is g.nu x g.nv if
- * options->keep is set).  corner: indices into
- * its loop.  Returns 0, SPD_ENOMEM, SPD_EINDEFINITE or SPD_ELARGE; on an error c holds nothing to
- * free. */
+/* Maps the disk d and samples it on g.nu x g.nv nodes (g.T is not read; nor are g.nu and g.nv
+ * if options->keep > 0).  corner: indices into the loop of d.  Returns 0, SPD_ENOMEM,
+ * SPD_EINDEFINITE or SPD_ELARGE; on an error c holds nothing to free. */
 int  conformal_grid(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options,
 	Conformal *c, SpdReport *report);
-/* The numbers of cells to try, 32 48 64 96 128 192 ..: the next after n. */
+
+/* The number of cells along a side to try after n, of the sequence 32 48 64 96 128 192 .. */
 static inline int
 conformal_cells(int n)
 {

@@ -1,15 +1,16 @@
-/* corners.c - the corners, by the turning angles of the boundary. */
+/* corners.c - finds the corners by the turning angles of the boundary. */
 #include <stdlib.h>
 
 #include "corners.h"
 #include "../base/vec3.h"
 
-static const double REACH = 1.0/40;             /* first reach (corners.h), of the length of the loop */
-static const double SHORT = 1.5;                /* last reach, in mean edges of the loop */
+static const double REACH = 1.0/40;             /* first reach (corners.h) / length of the loop */
+static const double SHORT = 1.5;                /* shortest reach, in mean edge lengths */
 static const double CLEAR = 50*M_PI/180;        /* least turning angle of a corner */
 static const double NEXT = 0.6;                 /* largest ratio of the fifth turn to the fourth */
 
-/* The boundary by arc length: s[i] from the start to loop vertex i, s[nb] its length. */
+/* Arc length along the boundary: s[i] is that of loop vertex i from the start, s[nb] the whole
+ * length. */
 static double *
 arc_length(const Disk *d)
 {
@@ -36,7 +37,7 @@ scaled_sub3(const double a[3], const double b[3], double scale, double c[3])
 		c[k] *= scale;
 }
 
-/* Adds the normal of a face to those of its corners. */
+/* Adds the normal of face t, times twice its area in squared units, to n at its corners. */
 static void
 add_normal(const Mesh *m, const int *t, double unit, double *n)
 {
@@ -51,8 +52,8 @@ add_normal(const Mesh *m, const int *t, double unit, double *n)
 			n[3*t[i] + k] += c[k];
 }
 
-/* The sum of the normals of the faces at each vertex of the loop.  The unit of length is the
- * length of the loop, here and in turn(), so that no product overflows. */
+/* At each vertex of the loop, the sum of the normals of its faces, weighted by area: [nv][3].  The
+ * unit of length is the length of the loop, here and in turn(), so that no product overflows. */
 static double *
 boundary_normals(const Disk *d, double unit)
 {
@@ -76,8 +77,7 @@ boundary_normals(const Disk *d, double unit)
 	return n;
 }
 
-/* The point of the boundary at arc length a, from less than one loop length before the start
- * to less than one after the end. */
+/* The point x of the boundary at arc length a; -L < a < 2L, where L is the length of the loop. */
 static void
 point(const Disk *d, const double *s, double a, double x[3])
 {
@@ -98,7 +98,8 @@ point(const Disk *d, const double *s, double a, double x[3])
 		x[c] = (1 - w)*p[c] + w*q[c];
 }
 
-/* Angle by which the boundary turns at loop vertex i, -pi .. pi; n is the normal there. */
+/* The turn of the boundary at loop vertex i (corners.h), -pi .. pi.  reach is in units of the
+ * length of the loop; n is the normal there, of any length. */
 static double
 turn(const Disk *d, const double *s, int i, double reach, const double n[3])
 {
@@ -113,8 +114,8 @@ turn(const Disk *d, const double *s, int i, double reach, const double n[3])
 	return copysign(atan2(norm3(c), dot3(a, b)), dot3(c, n));
 }
 
-/* Distance along the loop from vertex i to arc length a, the shorter of the two ways, over the
- * length of the loop. */
+/* Distance along the loop from vertex i to arc length a, by the shorter of the two ways, divided by
+ * the length of the loop. */
 static double
 loop_distance(const double *s, int nb, int i, double a)
 {
@@ -123,7 +124,8 @@ loop_distance(const double *s, int nb, int i, double a)
 	return fmin(t, s[nb] - t)/s[nb];
 }
 
-/* The vertex of the largest turn among those farther than `far` from the k chosen ones, or -1. */
+/* Of the loop vertices farther than `far` from all k chosen ones, the one with the largest turn; or
+ * -1. */
 static int
 sharpest(const double *s, int nb, const double *angle, double far, const int *chosen, int k)
 {

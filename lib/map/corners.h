@@ -1,8 +1,8 @@
 /* corners.h - the four boundary vertices that become the corners of the rectangle.
  *
- * A corner is an index into the boundary loop (0 .. nb-1).  The four go round
- * the loop once, counterclockwise: from corner[0] to corner[1] is the bottom v = 0, then
- * the right side u = 1, the top v = T and the left side u = 0.
+ * A corner is given as an index into the boundary loop (0 .. nb-1).  The four corners go round the
+ * loop once, counterclockwise.  The bottom v = 0 runs from corner[0] to corner[1], the right side u
+ * = 1 to corner[2], the top v = T to corner[3], and the left side u = 0 back to corner[0].
  */
 #ifndef CORNERS_H
 #define CORNERS_H
@@ -18,28 +18,30 @@ enum {
 
 /* Chooses four corners by the shape of the boundary (doc/mathematics.md 3.4).
  *
- * The turn of the boundary at a vertex is the angle between the chord from the point one reach
- * back along the loop and the chord to the point one reach forward; negative where the boundary
- * turns away from the surface.  The first reach is 1/40 of the loop, so that a ragged edge does
- * not count as a corner.  The corners of narrow strips show only at shorter reaches, so the
- * reach is divided by sqrt(2) again and again, down to one and a half edges of mean length.  The
- * first reach at which the boundary has four clear corners is used: local maxima of the turn of
- * at least 50 degrees, more than two reaches apart, and no fifth above 0.6 of the fourth.
- * Without such a reach, the four are the vertices nearest to equal arc length.
- * In both cases corner[0] is the corner nearest to the start of the loop, which is its lowest
- * vertex number.
+ * The turn of the boundary at a vertex is the angle between two chords: from the point one reach
+ * back along the loop to the vertex, and from the vertex to the point one reach forward.  It is
+ * negative at reentrant corners.  The first reach is 1/40 of the loop, so that a ragged edge does
+ * not count as a corner.  The corners of narrow strips show only at shorter reaches, so the reach
+ * is divided by sqrt(2) again and again, down to one and a half edges of mean length.  The first
+ * reach at which the boundary has four clear corners is used.  Corners are taken in the order of
+ * their turns, largest first, each more than two reaches away from those before.  Four are clear if
+ * their turns are at least 50 degrees, and that of the fifth is at most 0.6 of that of the fourth.
+ * Without such a reach, the four corners are the vertices nearest to equal arc length.  In both
+ * cases corner[0] is the corner nearest to the start of the loop, the vertex of lowest number in
+ * it.
  *
  * Returns 1 when clear corners were found, 0 for equal arc length, or CORNERS_ENOMEM or
  * CORNERS_EFEW. */
 int corners_auto(const Disk *d, int corner[4]);
 
-/* Finds four vertex numbers in the loop.  Returns 0, CORNERS_EINNER or CORNERS_EORDER (also
- * for clockwise order). */
+/* Finds the indices of four vertices in the loop.  Returns 0, CORNERS_EINNER or CORNERS_EORDER
+ * (also for clockwise order). */
 int corners_given(const Disk *d, const int vertex[4], int corner[4], int *at);
 
-/* The vertices nearest to four places of the loop, in its order.  A place is its arc length
- * from the start over the length of the loop, 0 <= place < 1.  If two would be the same
- * vertex, the later one becomes the next vertex.  Returns 0, CORNERS_ENOMEM or CORNERS_EFEW. */
+/* The vertices nearest to four places of the loop, in its order.  A place is the arc
+ * length from the start divided by the length of the loop, 0 <= place < 1.  If two would be the
+ * same vertex, the later one becomes the next vertex.  Returns 0, CORNERS_ENOMEM or
+ * CORNERS_EFEW. */
 int corners_at(const Disk *d, const double place[4], int corner[4]);
 
 /* The boundary vertex nearest to x; among equally near ones the lowest number. */

@@ -6,7 +6,7 @@
 #include "cotangent.h"
 #include "../base/vec3.h"
 
-enum { BLOCK = 8192 };  /* triangles summed by one thread */
+enum { BLOCK = 8192 };  /* triangles in one partial sum */
 
 /* Half the cotangent of each angle of triangle t; w[k] is the weight of the edge opposite to
  * corner k. */
@@ -92,7 +92,8 @@ find_places(Cotangent *C, const Disk *d, int *next)
 		C->g.adj[next[d->loop[(i+1)%d->nb]]++] = d->loop[i];
 }
 
-/* Both entries of each edge of vertex i get their sum. */
+/* For each edge of vertex i to a vertex of higher number: sets its two entries, C_ij and C_ji, to
+ * their sum. */
 static void
 add_transpose(Cotangent *C, int i)
 {
@@ -108,7 +109,7 @@ add_transpose(Cotangent *C, int i)
 		}
 }
 
-/* Enters the weights of triangle t for its sides. */
+/* Writes the weights of triangle t to the entries of its sides. */
 static void
 enter_weights(Cotangent *C, const Mesh *m, int t)
 {
@@ -166,8 +167,8 @@ cotangent_init(Cotangent *C, const Disk *d)
 	return e;
 }
 
-/* Appends row i of C, times a factor, to another matrix from entry k on; returns the entry
- * after it. */
+/* Appends row i of C, times a factor, to another matrix from entry k on.  Returns the index after
+ * the last entry. */
 static int
 append_row(Cotangent *to, int k, const Cotangent *C, int i, double factor)
 {

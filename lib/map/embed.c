@@ -8,10 +8,10 @@
 #include "harmonic.h"
 #include "vertexkey.h"
 
-enum { ROUNDS = 12, FEET = 4 };         /* of splitting at most: all, those with feet of obtuse angles */
+enum { ROUNDS = 12, FEET = 4 };         /* most rounds of splitting; of them add feet */
 
-/* Whether a map would shrink edge e to a point or put it on a side of the rectangle: a loop, or an
- * inner edge between vertices of one side. */
+/* Whether any map shrinks edge e to a point, because it is a loop, or puts it on a side of the
+ * rectangle, because it is an inner edge between two vertices of that side. */
 static int
 collapses(const Intrinsic *t, const unsigned char *side, int e)
 {
@@ -41,8 +41,8 @@ sort_by_lower_end(const Intrinsic *t, int *first, int *at)
 	}
 }
 
-/* Marks inner edges that have the same ends as another edge: in a map they coincide.
- * last: workspace, [nv], the last edge to a vertex. */
+/* Marks inner edges that have the same two ends as another edge, because a map makes them coincide.
+ * last: workspace, [nv], the last edge to each vertex. */
 static void
 mark_doubled(const Intrinsic *t, const int *first, const int *at, int *last, unsigned char *marked)
 {
@@ -98,7 +98,7 @@ find_corners(Embeddable *s)
 				s->corner[k] = i;
 }
 
-/* Makes the Delaunay triangulation of the present mesh, and lists the points to be added next. */
+/* Makes the Delaunay triangulation of s->mesh, and lists the points to be added next. */
 static int
 triangulate(Embeddable *s, int feet, EdgePoints *points)
 {

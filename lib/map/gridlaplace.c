@@ -1,4 +1,4 @@
-/* gridlaplace.c - mixed boundary problems on the grid. */
+/* gridlaplace.c - harmonic functions on a grid with mixed boundary conditions. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,11 +11,11 @@
 #include "../base/vec3.h"
 
 enum { MOST_STEPS = 200 };
-static const double REDUCTION = 1e-3;   /* of the preconditioned residual */
+static const double REDUCTION = 1e-3;   /* of the norm of the preconditioned residual */
 
 /* ---- the matrix ------------------------------------------------------ */
 
-/* A surface with its central differences: 9 numbers a node, phi, phi_u, phi_v. */
+/* A node of the surface, with its central differences. */
 typedef struct Node {
 	double phi[3], phi_u[3], phi_v[3];
 } Node;
@@ -37,25 +37,25 @@ differentiate(Chart g, const double *const phi[3])
 	return node;
 }
 
-/* A cell: its corners (i,j) (i+1,j) (i,j+1) (i+1,j+1). */
+/* A cell with corners (i,j) (i+1,j) (i,j+1) (i+1,j+1) and steps h, k. */
 typedef struct Cell {
 	const Node *corner[4];
 	double      h, k;
 } Cell;
 
-/* The points of a cell where its metric is evaluated, as distances from its middle, and the share of
- * central differences in the tangents there.  lambda and H are later computed by central
- * differences, so cell differences alone would make the grid conformal in another sense.  Central
- * differences alone do not see the odd-even mode.  At Gauss points the mean of both gave a
- * Beltrami coefficient 1.5 to 2 times smaller than either alone; on buddha_laughing_15k at
- * 257 x 257 its median was .0017.  At the corners the median is .0014 with the mean, and .0010
- * with 0.9 central, in twice as many rounds. */
+/* The points of a cell where its metric is evaluated, as distances along u and v from its middle in
+ * units of the cell, and the weight of central differences in the tangents there.  lambda and H are
+ * later computed by central differences, so cell differences alone would make the grid conformal in
+ * another sense.  Central differences alone do not see the odd-even mode.  At Gauss points the mean
+ * of both gave a Beltrami coefficient 1.5 to 2 times smaller than either alone; on
+ * buddha_laughing_15k at 257 x 257 its median was .0017.  At the corners the median is .0014 with
+ * the mean, and .0010 with 0.9 central, in twice as many rounds. */
 static const struct { double from_middle, central; } METRIC[] = {
 	[GRIDLAPLACE_CELLS] = { 0.28867513459481288, 0.5 },     /* 1/sqrt(12) */
 	[GRIDLAPLACE_NODES] = { 0.5, 0.9 },
 };
 
-/* The tangents at (x,y) of the unit cell; du and dv are the derivatives of the corners'
+/* The tangents at (x,y) of the unit cell.  du and dv are the derivatives of the four bilinear shape
  * functions there. */
 static void
 tangents(const Cell *cell, double central, double x, double y, const double du[4], const double dv[4],
@@ -75,7 +75,7 @@ tangents(const Cell *cell, double central, double x, double y, const double du[4
 	}
 }
 
-/* Adds the point (x,y) to the lower triangle m of the cell's matrix. */
+/* Adds the contribution of quadrature point (x,y) to the lower triangle m of the cell's matrix. */
 static void
 add_point(const Cell *cell, double central, double x, double y, double m[10])
 {
@@ -156,8 +156,8 @@ apply_row(const GridLaplace *l, int j, const double *x, double *y)
 	}
 }
 
-/* Even rows of cells, then odd ones: no two rows at work share a node, and the order of each
- * sum does not depend on the number of threads. */
+/* Applies even rows of cells, then odd ones.  So rows that run at the same time share no node, and
+ * the order of each sum does not depend on the number of threads. */
 void
 gridlaplace_apply(const GridLaplace *l, const double *x, double *y)
 {
@@ -184,14 +184,15 @@ apply(void *ctx, const double *x, double *y)
 	gridlaplace_apply(((const Harmonic *)ctx)->l, x, y);
 }
 
-/* 0 at held nodes, so that no direction of CG moves them. */
+/* z is 0 at nodes with given values, so that CG does not change them. */
 static void
 precondition(void *ctx, const double *r, double *z)
 {
 	planelaplace_solve(((const Harmonic *)ctx)->plane, r, z);
 }
 
-/* In: f with its boundary values.  Out: f inside.  work is four fields. */
+/* f has the boundary values and a start inside; the solution replaces the start.  work:
+ * [4][nv][nu]. */
 static void
 solve(const GridLaplace *l, const PlaneLaplace *plane, double *f, double *work)
 {

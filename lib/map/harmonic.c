@@ -29,8 +29,8 @@ harmonic_diagonal(Harmonic *h)
 			h->diagonal[i] -= h->off[k];
 }
 
-/* x_f = -A_fs x_s for the free vertices f, with the values of the side vertices s given; x_f is 0
- * on entry. */
+/* x_f = -A_fs x_s, where f are the free vertices and s the held ones, whose values are in x.  On
+ * entry x_f is 0. */
 static void
 right_hand_side(const Harmonic *h, const unsigned char *held, double *x)
 {

@@ -1,4 +1,5 @@
-/* intrinsicmap.c - splits where the certificate is largest, and solves again. */
+/* intrinsicmap.c - splits edges where the terms of the certificate are largest, and solves
+ * again. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,12 +8,12 @@
 #include "intrinsicmap.h"
 #include "worst.h"
 
-static const double FULL = 0.9;         /* share of the vertices allowed at which refinement ends:
-                                         * another round would add few */
+static const double FULL = 0.9;         /* refinement ends at this share of the allowed vertices:
+                                         * another round could add only few */
 static const double EQUAL = 1e-6;       /* relative difference of two numbers that differ by
                                          * rounding only */
 
-/* The term of triangle f in the sum for T certificate (adapt.h). */
+/* The term of triangle f in the sum for T*certificate (adapt.h). */
 static double
 term(const IntrinsicMap *m, int f)
 {
@@ -28,7 +29,8 @@ term(const IntrinsicMap *m, int f)
 	    - (ua*vb - ub*va)/2;
 }
 
-/* Marks the longest edge of each triangle with one of the largest terms. */
+/* Marks the longest edge of each triangle that has one of the largest terms (worst.h); all longest
+ * edges, if several are equal up to rounding. */
 static int
 mark_worst(const IntrinsicMap *m, int most, unsigned char *marked)
 {
@@ -54,7 +56,7 @@ mark_worst(const IntrinsicMap *m, int most, unsigned char *marked)
 	return 0;
 }
 
-/* Splits where the certificate is largest.  Returns the number of new vertices, or SPD_ENOMEM. */
+/* Splits the edges that mark_worst marks.  Returns the number of new vertices, or SPD_ENOMEM. */
 static int
 split_worst(IntrinsicMap *m, int most)
 {
@@ -71,8 +73,8 @@ split_worst(IntrinsicMap *m, int most)
 	return n < 0 ? SPD_ENOMEM : n;
 }
 
-/* Whether the vertices, or the crossings that become vertices of the overlay, are as many as
- * allowed. */
+/* Whether there are about as many vertices as allowed, or as many crossings, which become vertices
+ * of the overlay. */
 static int
 is_full(const Intrinsic *t, int most)
 {
@@ -84,7 +86,7 @@ is_full(const Intrinsic *t, int most)
 	return t->nv >= FULL*most || crossings >= INTRINSICMAP_CROSSINGS*(size_t)most;
 }
 
-/* Splits and solves until the certificate is small enough. */
+/* Splits and solves until the certificate is small enough, or no more vertices may be added. */
 static int
 refine(IntrinsicMap *m, const AdaptOptions *o, SpdReport *report)
 {

@@ -1,8 +1,8 @@
 /* intrinsicmap.h - the conformal map of any disk onto a rectangle, with no triangle turned over.
  *
  * The harmonic functions are solved on the intrinsic Delaunay triangulation of the surface
- * (../intrinsic).  Its cotangent weights are not negative.  With such weights the harmonic map onto
- * a rectangle, continued by reflection in the sides, is an embedding (doc/mathematics.md 3.6).
+ * (../intrinsic), whose cotangent weights are not negative.  With such weights the harmonic map
+ * onto a rectangle, continued by reflection in the sides, is an embedding (doc/mathematics.md 3.6).
  */
 #ifndef INTRINSICMAP_H
 #define INTRINSICMAP_H
@@ -12,10 +12,11 @@
 
 enum { INTRINSICMAP_CROSSINGS = 4 };
 
-/* Edges are split until the triangulation can be embedded, and then where the certificate is largest,
- * until it is at most options->tolerance, options->most vertices are reached, or
- * INTRINSICMAP_CROSSINGS times as many places where edges of the mesh cross those of the
- * triangulation: near a vertex with many edges there are far more of these than vertices.
+/* Splits edges until the triangulation can be embedded, and then where the terms of the certificate
+ * are largest.  This ends when the certificate is at most options->tolerance, or when there are
+ * about options->most vertices, or INTRINSICMAP_CROSSINGS*options->most crossings of mesh edges
+ * with edges of the triangulation.  Near a vertex with many edges there are far more crossings than
+ * vertices.
  *
  * vertex: the corners, as vertex numbers.  Returns 0, or SPD_ENOMEM, SPD_EINDEFINITE,
  * SPD_ELARGE; on an error m holds nothing to free. */

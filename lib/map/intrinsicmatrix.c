@@ -5,8 +5,8 @@
 
 #include "intrinsicmatrix.h"
 
-static const double LEAST = 1e-10;      /* smaller weights are replaced by it: they come from
-                                         * rounding, or from obtuse angles left at the boundary */
+static const double LEAST = 1e-10;      /* replaces smaller weights, which come from rounding or
+                                         * from obtuse angles left at the boundary */
 
 void
 intrinsic_matrix_free(IntrinsicMatrix *a)
@@ -16,7 +16,8 @@ intrinsic_matrix_free(IntrinsicMatrix *a)
 	free(a->off);
 }
 
-/* Adds up the entries of a row that have the same neighbour.  seen: workspace, [n], -1 on entry. */
+/* In each row, replaces the entries of the same column by their sum.  seen: workspace, [n], -1 on
+ * entry. */
 static void
 join_entries(IntrinsicMatrix *a, int *seen)
 {
@@ -49,13 +50,13 @@ weight(const Intrinsic *t, int e)
 	return (intrinsic_cotangent(t, h) + (g >= 0 ? intrinsic_cotangent(t, g) : 0))/2;
 }
 
-/* An entry of a symmetric matrix off the diagonal. */
+/* The off-diagonal entries (i,j) and (j,i) of a symmetric matrix. */
 typedef struct Entry {
 	int    i, j;
 	double x;
 } Entry;
 
-/* The matrix of n unknowns with the given entries; those of equal place are added. */
+/* The matrix of n unknowns with the given entries; several entries of the same place are added. */
 static int
 matrix_init(IntrinsicMatrix *a, int n, size_t entries, const Entry *entry)
 {
@@ -121,12 +122,13 @@ intrinsic_middles(const Intrinsic *t, const unsigned char *straight, Middles *m)
 typedef struct Entries {
 	const Intrinsic *t;
 	const Middles   *m;
-	Entry           *entry;         /* NULL: they are only counted */
+	Entry           *entry;         /* NULL: entries are only counted */
 	size_t           n;
 } Entries;
 
-/* Adds w (x_p - x_q)^2 to the energy; p and q are vertices, or nv + e for the middle of edge e.
- * With x_p = (x_i + x_j)/2, (x_p - x_q)^2 = (x_i - x_q)^2/2 + (x_j - x_q)^2/2 - (x_i - x_j)^2/4. */
+/* Adds w (x_p - x_q)^2 to the energy.  p and q are vertices, or nv + e for the middle of edge e.
+ * At the middle of a straight edge ij there is no unknown, so the identity is used: with x_p = (x_i
+ * + x_j)/2, (x_p - x_q)^2 = (x_i - x_q)^2/2 + (x_j - x_q)^2/2 - (x_i - x_j)^2/4. */
 static void
 add_difference(Entries *a, int p, int q, double w)
 {

@@ -9,10 +9,10 @@
 #include "intrinsicsolve.h"
 
 enum { STRAIGHTENED = 6 };              /* solves with quadratic elements, at most */
-static const double FLAT = 1e-14;       /* area, of that of the rectangle, that is 0 up to rounding */
+static const double FLAT = 1e-14;       /* area / area of the rectangle that is 0 up to rounding */
 
-/* By the maximum principle only the two held sides have the values 0 and 1.  Where rounding leads to
- * them, or beyond, at other vertices, the nearest value between is taken. */
+/* By the maximum principle x is 0 or 1 on the two held sides only.  Where rounding makes it so, or
+ * exceeds 0 .. 1, at another vertex, the nearest value between 0 and 1 is taken. */
 static void
 keep_inside(int n, const unsigned char *side, int held, double *x)
 {
@@ -60,7 +60,7 @@ image(const IntrinsicMap *m, int f)
 	return (u[c[1]] - u[c[0]])*(v[c[2]] - v[c[0]]) - (u[c[2]] - u[c[0]])*(v[c[1]] - v[c[0]]);
 }
 
-/* Sets T and the certificate from the energies, and v from v1. */
+/* Computes T and the certificate from the energies, and turns v1, which m->v holds, into v. */
 static int
 finish(IntrinsicMap *m, double Eu, double Ev)
 {
@@ -85,7 +85,8 @@ count_turned(const IntrinsicMap *m)
 	return turned;
 }
 
-/* u and v1 at the vertices, and at the middles if m is not NULL. */
+/* Solves for u and v1: by linear elements, at the vertices, if m is NULL; else by quadratic
+ * elements, at vertices and midpoints. */
 static int
 solve_pair(const IntrinsicMap *map, const Middles *m, double *u, double *v, SpdReport *report)
 {
@@ -126,8 +127,8 @@ intrinsic_solve(IntrinsicMap *m, SpdReport *report)
 	return e;
 }
 
-/* Makes the edges of turned and flat triangles straight, and those of triangles that have a
- * straight edge already: one more ring. */
+/* Makes the edges of turned and flat triangles straight, and, as one more ring, those of triangles
+ * that have a straight edge already. */
 static void
 straighten(const IntrinsicMap *m, unsigned char *straight, unsigned char *before)
 {
@@ -143,8 +144,8 @@ straighten(const IntrinsicMap *m, unsigned char *straight, unsigned char *before
 	}
 }
 
-/* Solves with quadratic elements.  Some of their weights are negative, so they may turn triangles
- * over; where all edges are straight no weight is.  So edges round turned triangles are made
+/* Solves with quadratic elements.  Some of their weights are negative, so triangles may turn over.
+ * Where all edges are straight, no weight is negative.  So edges round turned triangles are made
  * straight, ring by ring. */
 static int
 solve_straightened(IntrinsicMap *q, unsigned char *straight, Middles *m, SpdReport *report)

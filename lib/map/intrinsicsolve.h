@@ -7,17 +7,17 @@
 
 typedef struct IntrinsicMap {
 	Embeddable s;
-	double    *u, *v;       /* [s.t.nv] */
+	double    *u, *v;       /* [s.t.nv], after quadratic elements [s.t.nv + s.t.ne] */
 	double     T, certificate;
-	int        quadratic;   /* 1 if u, v are of quadratic elements */
+	int        quadratic;   /* 1 if u, v are from quadratic elements */
 	int        turned;      /* triangles of s.t with (u,v) area < -1e-14 T */
 } IntrinsicMap;
 
-/* The map by linear elements.  Returns 0, or SPD_ENOMEM, SPD_EINDEFINITE, SPD_ELARGE. */
+/* Computes the map by linear elements.  Returns 0, or SPD_ENOMEM, SPD_EINDEFINITE, SPD_ELARGE. */
 int intrinsic_solve(IntrinsicMap *m, SpdReport *report);
 
-/* Solves again with quadratic elements.  The map is replaced if they lower the certificate and turn no
- * triangle over.  Returns 0 or SPD_ENOMEM. */
+/* Solves again with quadratic elements.  The new map replaces the old one if it has a smaller
+ * certificate and turns no triangle over.  Returns 0 or SPD_ENOMEM. */
 int intrinsic_solve_quadratic(IntrinsicMap *m, SpdReport *report);
 
 #endif

@@ -9,22 +9,22 @@
 #include "polish.h"
 #include "../base/stats.h"
 
-/* Two stages.  The first converges from far, and for most surfaces it is the only one.  If it
- * leaves a mean coefficient above UNDONE (surfaces that turn much within a cell), the second
- * stage goes on until the grid is as conformal as node differences can measure; cell averages,
- * and whoever integrates over cells, lose some accuracy by it.  A round whose mean is not below
- * `worth` times the least mean before has gained nothing. */
+/* Polishing has two stages.  The first also works far from conformal, and for most surfaces it is
+ * the only one.  If it leaves a mean Beltrami modulus above UNDONE (surfaces that turn much within
+ * a cell), the second stage goes on until the grid is as conformal as differences at nodes can
+ * measure; averages over cells lose some accuracy by it.  A round gains nothing if its mean is not
+ * below `worth` times the least mean before. */
 static const struct { int metric; double worth; } STAGE[] = {
 	{ GRIDLAPLACE_CELLS, 0.85 }, { GRIDLAPLACE_NODES, 0.97 }
 };
 enum { STAGES = 2, PATIENCE = 3 };
 static const double UNDONE = 4e-3;
-static const double UNRESOLVED = 0.05;  /* mean after one round above which the cells are too large for
-                                         * the surface: rounds would follow the cells, not the surface,
-                                         * and make much of rounding.  The start is kept */
-static const double FOLDED = 2e-3;      /* mean above which the first stage ends after PATIENCE
-                                         * rounds without gain, not one: from a start with folds
-                                         * the mean may first rise */
+static const double UNRESOLVED = 0.05;  /* if the mean is larger after one round, the cells are too
+                                         * large for the surface, more rounds would amplify rounding
+                                         * errors, and the start is kept */
+static const double FOLDED = 2e-3;      /* if the mean is above this, the first stage ends after
+                                         * PATIENCE rounds without gain, otherwise after one: from a
+                                         * start with folds the mean may rise at first */
 
 static int
 grid_alloc(Grid *a, Chart g)
@@ -66,7 +66,7 @@ grid_free(Grid *a)
 	a->x = NULL;
 }
 
-/* The map of a grid onto itself as displacements, in nodes: node (i,j) goes to
+/* The map of a grid onto itself as displacements in grid steps: node (i,j) goes to
  * (i + du, j + dv). */
 typedef struct Shift {
 	double *du, *dv, T;     /* T of the new chart */
@@ -100,8 +100,8 @@ find_shift(const Grid *a, int metric, Shift *s)
 	return 0;
 }
 
-/* The point (x,y), in nodes, that the shift moves to (i,j): by fixed-point iteration of
- * x = i - du(x,y), y = j - dv(x,y), damped if it has not converged after 30 steps. */
+/* The point (x,y), in grid steps, that the shift moves to (i,j).  It is found by fixed-point
+ * iteration of x = i - du(x,y), y = j - dv(x,y), damped if it has not converged after 30 steps. */
 static void
 invert(const Shift *s, Chart g, int i, int j, double *x, double *y)
 {
@@ -141,7 +141,7 @@ resample(const Sampler *sampler, const Grid *a, const Shift *s, Grid *b)
 	return sampler_grid(sampler, b->g, b->x, b->y, b->phi) ? POLISH_ENOMEM : 0;
 }
 
-/* Moves n points of the chart by the shift, into the new chart. */
+/* Moves n points (pu,pv) of the chart g by the shift to the new chart of height s->T. */
 static void
 shift_points(Chart g, const Shift *s, int n, double *pu, double *pv)
 {
@@ -157,7 +157,7 @@ shift_points(Chart g, const Shift *s, int n, double *pu, double *pv)
 	}
 }
 
-/* mu: workspace, one number for each inner node. */
+/* The mean modulus of the Beltrami coefficient.  mu: workspace, one number for each inner node. */
 static double
 mean_beltrami(const Grid *a, double *mu)
 {
@@ -170,7 +170,7 @@ typedef struct State {
 	Grid    grid;
 	int     n;
 	double *pu, *pv;
-	double  mean;           /* modulus of the Beltrami coefficient */
+	double  mean;           /* mean modulus of the Beltrami coefficient */
 } State;
 
 static int
@@ -209,7 +209,7 @@ state_copy(const State *from, State *to)
 	copy_points(from->n, from->pu, from->pv, to);
 }
 
-/* One round, from a to b; mu as in mean_beltrami. */
+/* Does one round, from a to b; mu as in mean_beltrami. */
 static int
 advance(const Sampler *sampler, int metric, const State *a, State *b, Shift *shift, double *mu)
 {
@@ -238,7 +238,8 @@ next_stage(int stage, const State *best, State *now, int *idle)
 	return best->mean > UNDONE ? stage + 1 : STAGES;
 }
 
-/* In: best is the start.  Out: the round with the least mean. */
+/* best  in: the start; out: the round with the least mean
+ * done  out: the number of that round, if any round lowered the mean */
 static int
 iterate(const Sampler *sampler, State *best, State work[2], int rounds, double enough, Shift *shift,
 	double *mu, int *done)

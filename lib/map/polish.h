@@ -1,9 +1,10 @@
 /* polish.h - makes a nearly conformal grid conformal (doc/mathematics.md 3.7).
  *
  * The grid is itself a surface, and is mapped conformally once more, with its own metric
- * (gridlaplace.h): a and b, 0..1, harmonic on it, T = sqrt(E(a)/E(b)).  The map
- * (u,v) -> (a, T b) is near the identity.  Its inverse gives the place of each new node on the
- * old grid, and so in the chart of the mesh; there the mesh is sampled again.
+ * (gridlaplace.h): the functions a and b, with values 0..1, are harmonic on it, and
+ * T = sqrt(E(a)/E(b)).  The map (u,v) -> (a, T b) is near the identity.  Its inverse gives the
+ * place of each new node on the old grid, and so in the chart of the mesh; there the mesh is
+ * sampled again.
  */
 #ifndef POLISH_H
 #define POLISH_H
@@ -16,7 +17,7 @@ enum { POLISH_ENOMEM = -1 };
 typedef struct Grid {
 	Chart   g;
 	double *x, *y;          /* [nv][nu] place of each node in the chart of the mesh */
-	double *phi[3];         /* [nv][nu] */
+	double *phi[3];         /* [nv][nu] position of each node */
 } Grid;
 
 /* Samples s on the nodes (23) of its chart [0,1] x [0,g.T].  g.nu, g.nv >= 4.
@@ -24,15 +25,15 @@ typedef struct Grid {
 int  grid_init(Grid *a, Chart g, const Sampler *s);
 void grid_free(Grid *a);
 
-/* Polishes in at most `rounds` rounds.  It stops earlier if rounds gain nothing more, or if
- * the mean modulus of the Beltrami coefficient over the inner nodes is at most `enough`.  The
- * round with the smallest mean is kept.  If the mean stays above 4e-3 (surfaces that turn much
- * within a cell), rounds with the cell metric are followed by rounds with the node metric.  If it is
- * above .05 after one round, the grid has too few cells for the surface, and stays as it is.
+/* Polishes the grid in at most `rounds` rounds.  Stops earlier if rounds gain nothing more, or if
+ * the mean modulus of the Beltrami coefficient over the inner nodes is at most `enough`.  The round
+ * with the smallest mean is kept.  If the mean stays above 4e-3 (surfaces that turn much within a
+ * cell), rounds with the cell metric are followed by rounds with the node metric.  If it is above
+ * .05 after one round, the grid has too few cells for the surface, and stays as it is.
  *
  * a        in/out
  * pu, pv   in/out  [n] points that move with the grid, in the chart of a; n may be 0
- * done     out     rounds up to the one that is kept
+ * done     out     the number of the round that is kept; 0: the given grid is kept
  *
  * Returns 0 or POLISH_ENOMEM; a is then a grid no worse than the given one. */
 int polish(const Sampler *s, Grid *a, int rounds, double enough, int n, double *pu, double *pv,

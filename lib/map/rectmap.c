@@ -7,9 +7,9 @@
 #include "harmonic.h"
 #include "rectmap.h"
 
-enum { NUMBERS = 40 };  /* per vertex, about, for the matrix and its elimination order */
+enum { NUMBERS = 40 };  /* doubles per vertex for matrix and elimination order, about */
 
-/* What both systems share. */
+/* What the systems for u and v1 share. */
 typedef struct System {
 	Cotangent      C;
 	Harmonic       h;
@@ -25,7 +25,7 @@ release(System *s)
 	free(s->side);
 }
 
-/* The matrix of quadratic elements on `coarse`; d is coarse with all triangles split. */
+/* The matrix of quadratic elements on `coarse`; d is coarse with all triangles split into four. */
 static int
 quadratic(const Disk *d, const Disk *coarse, Cotangent *C)
 {
@@ -42,7 +42,8 @@ quadratic(const Disk *d, const Disk *coarse, Cotangent *C)
 	return e;
 }
 
-/* Symbolic factorization; at the same time, with `values`, the entries of the matrix. */
+/* Does the symbolic factorization and, if `values`, at the same time computes the entries of the
+ * matrix. */
 static int
 plan(const Disk *d, int values, System *s, const int *order)
 {
@@ -59,8 +60,8 @@ plan(const Disk *d, int values, System *s, const int *order)
 	return e;
 }
 
-/* The matrix and the plan of its factor: of linear elements on d, or of quadratic ones on
- * coarse. */
+/* The matrix and its symbolic factorization: of quadratic elements on coarse, or, if coarse is
+ * NULL, of linear elements on d. */
 static int
 prepare(const Disk *d, const Disk *coarse, const int corner[4], System *s)
 {
@@ -102,7 +103,7 @@ harmonic_pair(const Disk *d, const Disk *coarse, const int corner[4], double *u,
 	return e;
 }
 
-/* The Dirichlet energies, with the elements of the matrix. */
+/* The Dirichlet energies of u and v, by the same elements as the matrix. */
 static int
 energy(const Disk *d, const Disk *coarse, const double *u, const double *v, double *Eu, double *Ev)
 {

@@ -13,9 +13,9 @@ enum { HOLD_U = SIDE_LEFT | SIDE_RIGHT, HOLD_V = SIDE_BOTTOM | SIDE_TOP };
 typedef struct Tangle {
 	const Disk    *d;
 	double        *u, *v;
-	unsigned char *hold;    /* [nv] its sides, which fix a coordinate */
+	unsigned char *hold;    /* [nv] the sides of each vertex, which fix u or v */
 	unsigned char *moving;  /* [nv] */
-	double        *sum;     /* [nv][3] of weights, of weighted u, of weighted v */
+	double        *sum;     /* [nv][3] sums of weights, of weighted u, of weighted v */
 } Tangle;
 
 static int
@@ -62,8 +62,8 @@ half_tangent(const Mesh *m, int f, int k)
 	return norm3(n)/(norm3(a)*norm3(b) + dot3(a, b));
 }
 
-/* Adds the terms of triangle f to the sums of its corner k: half of the weights of the two other
- * corners. */
+/* Adds the terms of triangle f to the sums of its corner k.  They are half of the mean value
+ * weights of the two other corners; the neighbouring triangles add the other halves. */
 static void
 add_weights(const Tangle *t, int f, int k)
 {
@@ -82,7 +82,7 @@ add_weights(const Tangle *t, int f, int k)
 	}
 }
 
-/* One sweep of Jacobi: all moving vertices at once. */
+/* One Jacobi sweep: all moving vertices at once. */
 static void
 relax(const Tangle *t)
 {

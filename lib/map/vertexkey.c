@@ -5,13 +5,14 @@
 #include "vertexkey.h"
 #include "../base/vec3.h"
 
-static const double WAVES = 1e4;        /* per 2 pi sqrt(area); rounding of places times this is still
-                                         * far below 1 */
+static const double WAVES = 1e4;        /* waves in a distance of 2 pi sqrt(area); rounding errors
+                                         * of positions times this are still far below 1 */
 static const double EQUAL = 1e-6;       /* relative difference of two numbers that differ by
                                          * rounding only */
 
-/* The corners in an order that depends on their places alone: from the one farthest from the others, to
- * the farther of its neighbours first. */
+/* The corners in an order that depends on their positions alone.  The first is the one with the
+ * largest sum of distances from the others; then the loop is followed towards that of its two
+ * neighbours for which this sum is larger. */
 static void
 order_corners(const double *xyz, const int vertex[4], int order[4])
 {

@@ -5,10 +5,10 @@
 #include "../mesh/mesh.h"
 
 /* A number at each vertex that does not depend on how the vertices are numbered, nor on where the
- * surface lies and in which units: a sum of sines of its distances to the four corners.  The waves are
- * short, so that the numbers of near vertices are no more linear in their places than those of far
- * ones.  The corners have slightly different weights, so that on symmetric surfaces the numbers
- * differ, too.  Ties between edges are broken by it.
+ * surface lies and in which units: a sum of sines of its distances to the four corners.  The waves
+ * are short, so the number is far from linear even among near vertices.  The corners have slightly
+ * different weights, so that on symmetric surfaces the numbers differ, too.  The number decides
+ * between edges of equal length and between Delaunay triangulations.
  *
  * vertex  in  the corners, as vertex numbers
  *

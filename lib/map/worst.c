@@ -5,8 +5,8 @@
 
 #include "worst.h"
 
-static const double SHARE = 0.7;        /* of the certificate that the triangles to split hold
-                                         * together */
+static const double SHARE = 0.7;        /* the triangles to split have this share of the sum
+                                         * of all terms */
 static const double EQUAL = 1e-6;       /* relative difference of two terms that differ by rounding
                                          * only */
 

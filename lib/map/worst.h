@@ -2,11 +2,12 @@
 #ifndef WORST_H
 #define WORST_H
 
-/* The term above which triangles are split: the fewest that hold .7 of the certificate, and about
- * `most` at most.  It is a little below the last of them, so that terms that are equal up to
- * rounding are on the same side of it: which of them comes first depends on numbering.
+/* A bound: triangles whose terms reach it are to be split.  They are the fewest whose terms sum to
+ * 0.7 of all terms, but at most about `most`.  The bound is a little below the smallest of their
+ * terms, so that terms that are equal up to rounding are all above it or all below, whatever the
+ * numbering.
  *
- * term    in  [nf] shares of the certificate (adapt.h)
+ * term    in  [nf] terms of the certificate (adapt.h)
  * sorted      [nf] workspace
  *
  * Returns HUGE_VAL if none is to be split. */

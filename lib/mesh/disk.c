@@ -51,7 +51,7 @@ checkfinite(const Soup *s, char *err)
 }
 
 /* Renumbers the vertices: vertex v becomes to[v] < nnew, or is dropped if to[v] is -1.  Where
- * several become one, the first gives position, channels and number in the file. */
+ * several become one, it has the position and the number in the file of the first. */
 static void
 renumber(Disk *d, const int *to, int nnew)
 {
@@ -122,7 +122,8 @@ weld(Disk *d, int *to)
 	return 0;
 }
 
-/* Turns the marked faces, or all others if most are marked.  Returns how many it turned. */
+/* Turns the marked faces; or, if more than half are marked, all others.  Returns how many it
+ * turned. */
 static int
 turnfaces(Mesh *m, const signed char *turn)
 {
@@ -159,7 +160,7 @@ orient(Disk *d, Topology *t)
 	return e;
 }
 
-/* Checks in two threads for one component and for one fan at every vertex. */
+/* Checks that there is one component and that every vertex has one fan of faces, in two threads. */
 static int
 check_pieces(const Topology *t)
 {
@@ -196,7 +197,7 @@ checkdisk(Disk *d)
 	return e;
 }
 
-/* The triangles of all faces; of a loose mesh, of those that can be split. */
+/* Splits the faces into triangles; if loose, only the faces that can be split. */
 static int
 split_faces(Disk *d, const Soup *s, int loose)
 {

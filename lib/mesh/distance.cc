@@ -1,7 +1,8 @@
 /* distance.cc - distances of two surfaces and self-intersections, by CGAL. */
 
 /* CGAL's search for the Hausdorff distance asserts that a box inside another is not the nearer of
- * the two, and throws where rounding violates this.  The search is correct without the assertion. */
+ * the two, and throws where rounding violates this.  The search is correct without the
+ * assertion. */
 #define CGAL_NO_PRECONDITIONS
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -38,7 +39,8 @@ has_area(const Mesh *m, const int *t)
 	return !CGAL::collinear(point(m, t[0]), point(m, t[1]), point(m, t[2]));
 }
 
-/* Gives every face three vertices of its own: distances need no neighbours, so any mesh is accepted. */
+/* Gives every face three vertices of its own.  Distances need no connectivity, so this accepts any
+ * mesh. */
 static void
 separate_faces(const Mesh *m, Surface &s)
 {

@@ -11,11 +11,12 @@ extern "C" {
 enum {
 	DISTANCE_ENOMEM = -1,
 	DISTANCE_EAREA  = -2,   /* all faces have zero area */
-	DISTANCE_EEDGE  = -3,   /* an edge of three faces, or faces of opposite orientation */
+	DISTANCE_EEDGE  = -3,   /* an edge of three faces, or neighbours of opposite orientation */
 	DISTANCE_ECGAL  = -4    /* CGAL failed */
 };
 
-/* Maximum and mean distance of vertices of equal number; a and b have equally many vertices. */
+/* Maximum and mean distance between vertex i of a and vertex i of b; both have equally many
+ * vertices. */
 void distance_vertices(const Mesh *a, const Mesh *b, double *max, double *mean);
 
 /* The symmetric Hausdorff distance between two surfaces: the largest distance from a
@@ -26,14 +27,14 @@ void distance_vertices(const Mesh *a, const Mesh *b, double *max, double *mean);
  *             time depends on their sizes only; otherwise it grows as 1/error: two
  *             triangulations of one plane, of 5000 and 6000 vertices, took 0.2, 2 and
  *             29 s for an error of 1e-2, 1e-3 and 1e-4 of the square root of the area
- * d      out  the distance to +-error: exactly 0 if the faces are the same, error if
- *             only this bound is known
+ * d      out  the distance to +-error: exactly 0 if the faces are the same; equal to `error`
+ *             if it is only known to be at most that
  *
  * Returns 0, DISTANCE_ENOMEM, DISTANCE_EAREA or DISTANCE_ECGAL. */
 int distance_hausdorff(const Mesh *a, const Mesh *b, double error, double *d);
 
-/* The number of pairs of faces that meet in more than the vertices or the edge they
- * share by number.  Faces without area are left out.
+/* Sets *pairs to the number of pairs of faces that intersect in more than the vertices or the edge
+ * that both have by vertex numbers.  Faces without area are left out.
  *
  * Returns 0, DISTANCE_ENOMEM, DISTANCE_EEDGE or DISTANCE_ECGAL. */
 int distance_crossings(const Mesh *m, long *pairs);

@@ -5,8 +5,8 @@
 #include "polypriv.h"
 #include "../base/vec3.h"
 
-/* Twice the vector area over size squared, as the sum of cross products of the triangles at corner
- * 0. */
+/* Twice the vector area of the polygon, divided by size^2: the sum of the cross products of the
+ * triangles that have corner 0. */
 static void
 vectorarea(const Polygon *p, double size, double side[3])
 {
@@ -25,7 +25,7 @@ vectorarea(const Polygon *p, double size, double side[3])
 	}
 }
 
-/* Unit vectors e1, e2 with e1 x e2 along side. */
+/* Unit vectors e1, e2, perpendicular to each other, with e1 x e2 in the direction of side. */
 static void
 plane(const double side[3], double e1[3], double e2[3])
 {
@@ -44,7 +44,8 @@ plane(const double side[3], double e1[3], double e2[3])
 		e2[k] /= len;
 }
 
-/* Corners in the plane of the polygon's vector area, counterclockwise; 0 if it has none. */
+/* Projects the corners to the plane perpendicular to the vector area of the polygon, where they run
+ * counterclockwise.  Returns 0 if the vector area is 0. */
 static int
 flatten(Polygon *p)
 {
@@ -69,7 +70,7 @@ flatten(Polygon *p)
 	return 1;
 }
 
-/* Twice the signed area of a b c, over the longest edge squared. */
+/* Twice the signed area of a b c in the plane, divided by its longest edge squared. */
 static double
 signed_area(const Polygon *p, int a, int b, int c)
 {
@@ -81,8 +82,9 @@ signed_area(const Polygon *p, int a, int b, int c)
 	return longest2 > 0 ? (ux*vy - uy*vx) / longest2 : 0;
 }
 
-/* Corner i is an ear: convex, no other corner lies in the triangle or on it, and the triangle has an
- * area in space (plane coordinates are rounded relative to the polygon's size). */
+/* Whether corner i is an ear: it is convex, its triangle contains no other corner, not even on a
+ * side, and the triangle has area in space.  (Rounding errors in the plane are relative to the
+ * whole polygon.) */
 static int
 isear(const Polygon *p, int i)
 {
@@ -100,7 +102,7 @@ isear(const Polygon *p, int i)
 	return norm3(n) > POLYGON_FLAT;
 }
 
-/* Skips a corner after each ear, which avoids fans and slivers. */
+/* After each ear the next corner is skipped, which avoids fans and slivers. */
 int
 polygon_clip(Polygon *p)
 {

@@ -6,10 +6,11 @@
 
 #include "mesh.h"
 
-/* Put the message into err; returns code. */
+/* Writes the message to err.  Returns code. */
 int mesh_fail(char err[MESH_ERRLEN], int code, const char *fmt, ...);
 
-/* n items of size bytes, or NULL with the size in err.  n may be 0. */
+/* Allocates n items of size bytes.  Returns NULL, with a message in err, if memory runs out.  n may
+ * be 0. */
 void *mesh_alloc(char err[MESH_ERRLEN], size_t n, size_t size);
 
 #endif

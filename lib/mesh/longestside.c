@@ -7,7 +7,7 @@
 #include "topology.h"
 #include "../base/vec3.h"
 
-static const double EQUAL = 1e-9;       /* relative difference of equal lengths, or keys */
+static const double EQUAL = 1e-9;       /* relative difference that counts as equal */
 
 static double
 length(const Disk *d, int side)
@@ -54,12 +54,12 @@ longest_side(const Disk *d, const double *key, int f)
 	return best;
 }
 
-/* The faces whose longest side may need a cut. */
+/* Faces whose longest side may have to be cut. */
 typedef struct Stack {
 	int *face, n;
 } Stack;
 
-/* Cuts a side for both its faces; the neighbour is checked again. */
+/* Cuts a side, for both its faces, and pushes the neighbour to be checked. */
 static void
 cut_side(const Disk *d, int side, int *cut, Stack *s)
 {

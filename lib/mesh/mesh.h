@@ -1,5 +1,5 @@
-/* mesh.h - surfaces as arrays: the polygon soup of a file, a triangle mesh, and a disk, which is what
- * can be mapped onto a rectangle.
+/* mesh.h - surfaces as arrays: the polygon soup of a file, a triangle mesh, and a disk, which is
+ * what can be mapped onto a rectangle.
  *
  * Vertices and faces are counted from 0 here and in messages.
  */
@@ -10,13 +10,13 @@
 
 enum {
 	MESH_ENOMEM  = -1,
-	MESH_EFORMAT = -2,      /* not a mesh file of a known format, or damaged; err has the place */
+	MESH_EFORMAT = -2,      /* unknown file format, or damaged file; err says where */
 	MESH_EINDEX  = -3,      /* a face refers to a vertex that does not exist */
 	MESH_EVALUE  = -4,      /* a coordinate is NaN or infinite */
 	MESH_EFACE   = -5,      /* a face cannot be split into triangles with area */
 	MESH_EMANIFOLD = -6,    /* an edge of three faces, or a vertex of several fans */
 	MESH_EORIENT = -7,      /* one-sided: no consistent orientation */
-	MESH_EDISK   = -8       /* closed, several loops or components, or handles */
+	MESH_EDISK   = -8       /* not a disk: closed, several loops or components, or handles */
 };
 
 enum { MESH_ERRLEN = 256 };
@@ -30,7 +30,7 @@ enum { CHANNEL_NAME = 32 };
 /* Numbers at every vertex, beside its position. */
 typedef struct Channel {
 	char    name[CHANNEL_NAME];
-	int     n;              /* of each vertex: 1 for a scalar, 3 for a colour */
+	int     n;              /* numbers at each vertex: 1 for a scalar, 3 for a colour */
 	double *f;              /* [nv][n] */
 } Channel;
 
@@ -48,7 +48,7 @@ typedef struct Soup {
 	int    *idx;
 	char    err[MESH_ERRLEN];
 	Channels channels;
-	double  T;              /* of the rectangle of MESH_UV; 0: not known */
+	double  T;              /* height of the rectangle of MESH_UV; 0: not known */
 } Soup;
 
 typedef struct Mesh {
@@ -57,8 +57,8 @@ typedef struct Mesh {
 	int    *tri;            /* [nf][3], counterclockwise seen from where the normal points */
 } Mesh;
 
-/* A connected, oriented manifold mesh with one boundary loop and no handle; every vertex belongs to a
- * face. */
+/* A connected, oriented manifold mesh with one boundary loop and no handle; every vertex belongs to
+ * a face. */
 typedef struct Disk {
 	Mesh m;
 	int  nb;
@@ -69,7 +69,7 @@ typedef struct Disk {
 	int *file;              /* [m.nv] the number of each vertex in its soup; of welded ones the
 	                         * lowest */
 	int  nfile;
-	int *became;            /* [nfile] the new number of each vertex of the soup, -1: dropped */
+	int *became;            /* [nfile] the vertex of m for each vertex of the soup, -1: none */
 	Channels channels;      /* of the soup, at the vertices of m */
 	char note[MESH_ERRLEN]; /* the repairs, "" if none */
 	char err[MESH_ERRLEN];
@@ -79,7 +79,7 @@ void soup_free(Soup *s);
 void mesh_free(Mesh *m);
 void disk_free(Disk *d);
 
-/* Area of all triangles. */
+/* The sum of the areas of all triangles. */
 double mesh_area(const Mesh *m);
 
 #endif

@@ -82,7 +82,8 @@ repeated_vertex(const Soup *s, int f, int *mark)
 	return -1;
 }
 
-/* 0, or MESH_EFACE with the reason why face f cannot be split, known from its corners alone. */
+/* Checks the number of corners of face f, and that none is repeated.  Returns 0, or MESH_EFACE with
+ * the reason in err. */
 static int
 check_corners(const Soup *s, int f, int *mark, char *err)
 {

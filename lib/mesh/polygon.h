@@ -1,4 +1,4 @@
-/* polygon.h - splits polygons of a soup into triangles.  Private to lib/. */
+/* polygon.h - splits polygons of a soup into triangles.  For lib/ only. */
 #ifndef POLYGON_H
 #define POLYGON_H
 
@@ -16,7 +16,8 @@ int polygon_split(const Soup *s, int **tri, int *ntri, char err[MESH_ERRLEN]);
  * Returns 0 or MESH_ENOMEM. */
 int polygon_split_some(const Soup *s, int **tri, int *ntri, int *out, char err[MESH_ERRLEN]);
 
-/* Whether the triangle a b c has area, as a face of a soup must: 1e-14 of its longest edge squared. */
+/* Whether the triangle a b c has area, as a face of a soup must: 1e-14 of its longest edge
+ * squared. */
 int polygon_has_area(const double *a, const double *b, const double *c);
 
 #endif

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-#define POLYGON_FLAT 1e-14      /* a smaller area over longest edge squared counts as 0 */
+#define POLYGON_FLAT 1e-14      /* a smaller ratio of area to longest edge squared counts as 0 */
 #define POLYGON_TINY 1e-150     /* squares of smaller lengths underflow a double */
 
 typedef struct Polygon {
@@ -25,7 +25,7 @@ int polygon_edges(const double *a, const double *b, const double *c, double u[3]
  * vector along its normal; 0 if it is too small to measure. */
 void polygon_shape(const double *a, const double *b, const double *c, double n[3]);
 
-/* Split p by clipping ears.  Returns 1, or 0 when that is impossible. */
+/* Splits p by clipping ears.  Returns 1, or 0 if that is impossible. */
 int polygon_clip(Polygon *p);
 
 static inline const double *
@@ -34,7 +34,7 @@ polygon_at(const Polygon *p, int i)
 	return p->xyz + 3*(size_t)p->v[i];
 }
 
-/* The next triangle, by corners of the polygon. */
+/* Appends the triangle of corners a, b, c of the polygon. */
 static inline void
 polygon_put(Polygon *p, int a, int b, int c)
 {

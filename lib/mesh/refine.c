@@ -11,10 +11,10 @@
 typedef struct Split {
 	const Disk *d;
 	Topology    t;
-	int         similar;    /* all faces, into four similar ones */
+	int         similar;    /* 1: split all faces, into four similar ones */
 	const double *key;      /* refine.h */
-	int        *mid;        /* [3*nf] new vertex on each side; -1: not cut, SIDE_CUT: to be numbered */
-	int        *part;       /* [3*nf][2] new side that a side becomes, or its first and second half */
+	int        *mid;        /* [3*nf] new vertex on each side; -1: none, SIDE_CUT: no number yet */
+	int        *part;       /* [3*nf][2] the new side, or both halves, of each old side */
 	int        *tri, *twin, nf;     /* the new faces so far */
 } Split;
 
@@ -35,8 +35,8 @@ number_cuts(Split *s, int *faces)
 	return n - s->d->m.nv;
 }
 
-/* n numbers at each vertex: copies f of the old ones to `to`, and appends for each new one the mean of
- * the ends of its side. */
+/* n numbers at each vertex: copies f of the old ones to `to`, and appends for each new one the mean
+ * of the ends of its side. */
 static void
 midpoints(const Split *s, int n, const double *f, double *to)
 {
@@ -178,8 +178,8 @@ join_across_old_sides(Split *s)
 	}
 }
 
-/* The loop with the new boundary vertices.  next[v] is the new vertex after boundary vertex v, or
- * -1. */
+/* Sets the loop of finer, with the new boundary vertices.  next[v] is the new vertex after boundary
+ * vertex v, or -1. */
 static int
 emit_loop(const Split *s, Disk *finer)
 {
@@ -226,7 +226,8 @@ build(Split *s, Disk *finer)
 	return emit_loop(s, finer);
 }
 
-/* The ends of the side of each new vertex, of nv vertices in all. */
+/* The two ends of the side on which each new vertex lies; nv is the number of old and new
+ * vertices. */
 static int (*
 ends_of_cuts(const Split *s, int nv))[2]
 {

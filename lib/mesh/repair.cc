@@ -11,7 +11,8 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
-/* One face has all vertices as its corners: merging replaces them by the new numbers. */
+/* CGAL is given one face with all vertices as its corners; merging replaces them by the new
+ * numbers. */
 extern "C" int
 repair_weld(int nv, const double *xyz, int *to, int *nnew)
 try {

@@ -8,10 +8,10 @@ extern "C" {
 
 enum { REPAIR_ENOMEM = -1 };
 
-/* Give vertices of equal position one number.
+/* Gives vertices of equal position the same number.
  *
  * nv, xyz  in      [nv][3], finite
- * to       out     [nv] the new number of each; new numbers run from 0 in the order in
+ * to       out     [nv] the new number of each vertex; new numbers run from 0 in the order in
  *                  which positions first appear
  * nnew     out     the count of new numbers
  *

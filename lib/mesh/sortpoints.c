@@ -22,7 +22,8 @@ along_edges(const void *a, const void *b)
 	return p->place < q->place ? -1 : p->place > q->place;
 }
 
-/* Sorts the points, and drops those at a vertex or less than 1e-9 apart.  Returns how many are left. */
+/* Sorts the points.  Drops those at a vertex, and those less than 1e-9 behind another on their
+ * edge.  Returns how many are left. */
 static int
 sort_edge_points(const Disk *d, int n, EdgePoint *point)
 {

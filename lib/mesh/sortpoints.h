@@ -10,15 +10,17 @@ typedef struct EdgePoint {
 	double place;
 } EdgePoint;
 
-/* Points within triangles, triangle by triangle, and points on edges, edge by edge and along each. */
+/* Points within triangles, ordered by triangle; and points on edges, ordered by edge, then along
+ * it. */
 typedef struct Sorted {
 	SurfacePoint *within;
 	EdgePoint    *on;
 	int           nwithin, non;
 } Sorted;
 
-/* Sorts n points of d.  Of points less than 1e-9 apart on an edge one is kept; those at a vertex are
- * dropped.  Returns 0 or MESH_ENOMEM; the arrays of s are to be freed in both cases. */
+/* Sorts n points of d.  Of points on an edge whose places differ by less than 1e-9 one is kept;
+ * points at a vertex are dropped.  Returns 0 or MESH_ENOMEM; the arrays of s are to be freed in
+ * both cases. */
 int sort_points(const Disk *d, int n, const SurfacePoint *point, Sorted *s);
 
 #endif

@@ -4,23 +4,24 @@
 
 #include "mesh.h"
 
-/* The splitting of a disk at points of its edges and triangles.  An edge is split at one point
- * after the other; the part with the points that remain is known by one of its sides. */
+/* The splitting of a disk at points of its edges and triangles.  The points of an edge
+ * are inserted one by one; line and side tell which side has the points that are still to come. */
 typedef struct Splitting {
 	Disk *d;
 	unsigned char *inner;   /* [3*nf] of Subdivision */
 	int  *line;             /* [3*nf] the number of the next point on this side, or -1 */
 	int  *side;             /* [points] the side that has the point now */
-	int  *after;            /* [nv] the next vertex of the boundary, of those on it */
+	int  *after;            /* [nv] the next boundary vertex after a boundary vertex */
 } Splitting;
 
 /* Splits the edge of side h at vertex m.  Returns the side of its second half. */
 int  splitting_edge(const Splitting *s, int h, int m);
 
-/* Splits triangle f at vertex m within it into (a,b,m), which keeps its number, (b,c,m) and (c,a,m). */
+/* Splits triangle f at vertex m within it into (a,b,m), which keeps its number, (b,c,m) and
+ * (c,a,m). */
 void splitting_face(const Splitting *s, int f, int m);
 
-/* Writes the boundary loop of the disk from `after`, from its first vertex on. */
+/* Rewrites the boundary loop of the disk by following `after` from its first vertex. */
 void splitting_write_loop(const Splitting *s);
 
 #endif

@@ -1,4 +1,4 @@
-/* subdivision.c - triangles split at points within them and on their sides, one after the other. */
+/* subdivision.c - splits triangles at points within them and on their sides, point by point. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -83,7 +83,7 @@ grow(void *array, size_t n, size_t size)
 	return 0;
 }
 
-/* Room for n more vertices. */
+/* Makes room for n more vertices. */
 static int
 make_room(Subdivision *s, int n)
 {

@@ -7,7 +7,7 @@
 /* A point of a disk. */
 typedef struct SurfacePoint {
 	int    triangle;
-	double w[3];            /* barycentric coordinates; one of them is 0 on a side of the triangle */
+	double w[3];            /* barycentric coordinates; on a side of the triangle one is 0 */
 } SurfacePoint;
 
 /* A disk made of another one by adding points.  Its first vertices are those of the given disk;

@@ -1,4 +1,5 @@
-/* topology.c - connectivity of a triangle mesh: orientation, components, fans, the boundary loop. */
+/* topology.c - connectivity of a triangle mesh: orientation, components, fans, the boundary
+ * loop. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -88,8 +89,8 @@ topology_connected(const Topology *t)
 	return parts == 1 ? 0 : mesh_fail(t->err, MESH_EDISK, "%d components, a disk is one", parts);
 }
 
-/* Marks the sides that start at the same vertex as `side`, in the fan of triangles round it: turning
- * first one way, then the other. */
+/* Marks the sides that start at the same vertex as `side`, in the fan of triangles round it:
+ * turning first one way, then the other. */
 static void
 mark_fan(const Topology *t, int side, char *seen)
 {
@@ -143,8 +144,8 @@ boundary_sides(const Topology *t, int *out)
 	return n;
 }
 
-/* Follows the loop from v, removes it from out and stores it in loop unless that is NULL; returns
- * its length. */
+/* Follows the loop from vertex v, removes it from out, and stores it in `loop`, if not NULL.
+ * Returns how many vertices it has. */
 static int
 follow_loop(const Topology *t, int *out, int v, int *loop)
 {
@@ -180,7 +181,7 @@ check_one_loop(const Topology *t, int *out, int v)
 	    n, where, n > 4 ? ", .." : "");
 }
 
-/* Euler: V - E + F = 2 - 2 genus - loops. */
+/* By Euler's formula V - E + F = 2 - 2 genus - loops, which is 1 for a disk. */
 static int
 check_genus(const Topology *t)
 {

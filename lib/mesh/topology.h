@@ -14,7 +14,7 @@ typedef struct Topology {
 	const int *tri;
 	int       *twin;        /* [3*nf] the side of the neighbour, -1 on the boundary */
 	int        nedge;
-	int        odd;         /* some twins run in the same direction: their faces disagree */
+	int        odd;         /* 1: some twins run in the same direction: faces disagree */
 	const int *file;        /* [nv] vertex numbers for messages, or NULL: their own */
 	char      *err;         /* MESH_ERRLEN */
 } Topology;
@@ -24,8 +24,8 @@ typedef struct Topology {
 int topology_twins(Topology *t);
 
 /* Find the faces to turn so that neighbours agree: in each component those that disagree with
- * its first face.  turn is [nf], 1 to turn, 0 not.  Returns 0, MESH_ENOMEM, or MESH_EORIENT if this is
- * impossible. */
+ * its first face.  turn is [nf], 1 to turn, 0 not.  Returns 0, MESH_ENOMEM, or MESH_EORIENT if this
+ * is impossible. */
 int topology_orient(const Topology *t, signed char *turn);
 
 /* Check that there is one component; vertices of one face are connected.  Every vertex must belong

@@ -5,7 +5,7 @@
 #include "fail.h"
 #include "topology.h"
 
-/* A side at the lower of its vertices. */
+/* An entry in the list of the lower of a side's two vertices: hi is the other vertex. */
 typedef struct Side {
 	int hi, side;
 } Side;

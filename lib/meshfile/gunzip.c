@@ -12,7 +12,8 @@ typedef struct Out {
 	size_t n, cap, max;
 } Out;
 
-/* deflate reaches less than 1100:1, so a larger result means a damaged file. */
+/* The most bytes that n bytes of gzip data may unpack to.  deflate compresses by less than 1100:1,
+ * so a larger result means a damaged file. */
 static size_t
 largest_output(size_t n, size_t most)
 {
@@ -35,7 +36,8 @@ grow(Out *o, char *err)
 	return 0;
 }
 
-/* Inflates until a member ends (returns 1), the input or the room is used up (0), or an error. */
+/* Calls inflate once and advances *in and o.  Returns 1 at the end of a gzip member, 0 if the
+ * member continues, or a negative code. */
 static int
 inflate_some(z_stream *z, const char **in, const char *end, Out *o, char *err)
 {
@@ -73,7 +75,7 @@ inflate_members(z_stream *z, const char *in, const char *end, Out *o, char *err)
 			return e;
 		if (e == 0)
 			continue;
-		while (in < end && *in == '\0')         /* padding with zeros, as on tapes */
+		while (in < end && *in == '\0')         /* zeros after a member are padding */
 			in++;
 		if (in == end)
 			return 0;
@@ -94,7 +96,7 @@ gunzip(const char *in, size_t n, size_t most, char **out, size_t *nout, char err
 	o.p = mesh_alloc(err, o.cap, 1);
 	if (!o.p)
 		return MESH_ENOMEM;
-	if (inflateInit2(&z, 15 + 16) != Z_OK) {        /* 16: gzip framing only */
+	if (inflateInit2(&z, 15 + 16) != Z_OK) {        /* +16: gzip, not zlib */
 		free(o.p);
 		return mesh_fail(err, MESH_ENOMEM, "no memory to unpack gzip data");
 	}

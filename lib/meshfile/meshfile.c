@@ -60,7 +60,8 @@ is_gzip(const char *p, size_t n)
 	return n >= 2 && memcmp(p, "\x1f\x8b", 2) == 0;
 }
 
-/* The beginning of a file: n bytes at p, the file has at least `least` and at most `most` bytes. */
+/* The start of a file, whose first n bytes are at p.  The file has `least` to `most` bytes in
+ * all. */
 static MeshStart
 beginning_of(const char *p, size_t n, size_t least, size_t most)
 {
@@ -99,7 +100,7 @@ choose(const MeshStart *m, char *err)
 	return best;
 }
 
-/* A first word of more characters belongs to no format. */
+/* No format begins with a word of more characters than this. */
 enum { LONGEST_WORD = 100 };
 
 int
@@ -116,7 +117,8 @@ meshfile_plausible(const void *head, size_t n, size_t most, char err[MESH_ERRLEN
 	return choose(&m, err) ? 0 : MESH_EFORMAT;
 }
 
-/* Checks that every corner is a vertex.  `first` is allocated even if there are no faces. */
+/* Checks that every corner of a face is the number of a vertex.  Also allocates s->first, even if
+ * there are no faces. */
 static int
 check_corners(Reader *r)
 {

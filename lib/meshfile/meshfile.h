@@ -1,6 +1,6 @@
 /* meshfile.h - mesh files as bytes: any format of meshformat.h, plain or gzipped.
  *
- * Reading goes by content, never by name, so that a pipe serves as well as a file.
+ * The format is recognised from the content, not from the name, so a pipe can be read, too.
  */
 #ifndef MESHFILE_H
 #define MESHFILE_H
@@ -8,9 +8,9 @@
 #include "../mesh/mesh.h"
 #include "meshformat.h"
 
-#define MESHFILE_MOST ((size_t)1 << 32) /* no larger file is read: 4 GiB, also when unpacked */
+#define MESHFILE_MOST ((size_t)1 << 32) /* largest file, packed or not: 4 GiB */
 
-/* Parse n bytes (they need no final NUL).
+/* Parses a mesh file of n bytes (no final NUL is needed).
  *
  * OFF  ASCII (also COFF, NOFF, STOFF..: the extra numbers are skipped; records may be
  *      broken over lines; # comments) and OFF BINARY (big-endian as
@@ -26,35 +26,38 @@
  * and the place in s->err (a truncation names the record, "file ends in face 12 of
  * 100"); s then holds nothing to free.
  *
- * The memory is at most 1 KiB and 16 bytes for each byte given, whatever counts the file
- * promises.  Gzip data, known by their first bytes, are unpacked first.  deflate reaches 1030:1,
- * so they may unpack to 1100 bytes for each byte given, and to no more than most.  The 16 bytes
- * then count for each byte unpacked.  The buffer of unpacked bytes is added: while it grows at
- * most 3 bytes for each of them, 4 for each byte given, and 64 KiB for zlib. */
+ * The memory used is at most 1 KiB and 16 bytes for each byte of input, whatever counts the file
+ * announces.  Gzip data, recognised by their first bytes, are unpacked first.  deflate compresses
+ * by at most 1030:1, so data that unpack to more than 1100 bytes for each byte of input are
+ * refused, as are more than `most` bytes.  The limit of 16 bytes then holds for each unpacked byte.
+ * In addition there is the buffer of unpacked bytes: while it grows, at most 3 bytes for each
+ * unpacked byte and 4 for each byte of input; and 64 KiB for zlib. */
 int meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most);
 
-/* The same, with the (u,v) of every vertex in the channel MESH_UV, the T they belong to in
- * s->T, 0 if the file does not have it, and, if the file has them, the offsets in MESH_OFFSET:
+/* Like meshfile_parse, but also reads the (u,v) of every vertex into the channel MESH_UV, the
+ * height T of their rectangle into s->T (0 if the file does not have it), and the offsets, if the
+ * file has them, into the channel MESH_OFFSET:
  *
  * OBJ  vt lines and corners a/b or a/b/c; T from a line "# lhgrid T 0.91";
  *      lines "# lhgrid offset 0.01 0 -0.002 0.03", one for each vertex in their order
  * PLY  vertex properties s t, or u v, or texture_u texture_v; T from "comment lhgrid T 0.91";
  *      offset_u offset_v offset_n offset_r
  *
- * In an OBJ, a vertex of no face has (-1,-1).  Also refused: formats without (u,v) and missing
- * (u,v) or offsets of some vertices only (MESH_EFORMAT); (u,v) and offsets that are not finite, and two
- * different (u,v) at a vertex (MESH_EVALUE). */
+ * In an OBJ, a vertex that belongs to no face gets (-1,-1).  Returns MESH_EFORMAT also if the
+ * format has no (u,v), if (u,v) are missing, or if only some vertices have offsets; MESH_EVALUE
+ * also if a (u,v) or an offset is not finite, or if a vertex has two different (u,v). */
 int meshfile_parse_uv(Soup *s, const void *bytes, size_t n, size_t most);
 
-/* Whether a file of at most `most` bytes that begins with these n can be a mesh: 0, or
- * MESH_EFORMAT with the reason in err.  So an endless pipe is refused before it is read. */
+/* Checks whether a file of at most `most` bytes that begins with the n bytes at head can be a mesh.
+ * Returns 0, or MESH_EFORMAT with the reason in err.  An endless pipe can thus be refused early. */
 int meshfile_plausible(const void *head, size_t n, size_t most, char err[MESH_ERRLEN]);
 
-/* s as a file: its vertices and polygons as they are, and its channels MESH_UV and MESH_OFFSET and T if
- * it has them and the format carries them.  OFF and OBJ are text that gives back every double, PLY is
- * binary_little_endian double, STL binary float.  *bytes is malloc'd, *n its length.
- * Returns 0, MESH_ENOMEM, MESH_EVALUE: a coordinate exceeds what the format holds, or
- * MESH_EFACE: the format holds triangles only. */
+/* Writes the vertices and polygons of s, unchanged, as a mesh file in memory; also the channels
+ * MESH_UV and MESH_OFFSET, and T, if s has them and the format can store them.  OFF and OBJ are
+ * text from which every double is read back exactly, PLY is binary_little_endian double, STL is
+ * binary float.  *bytes is malloc'd, *n its length.  Returns 0, MESH_ENOMEM, MESH_EVALUE if a
+ * coordinate is too large for the format, or MESH_EFACE if a face is no triangle and the format has
+ * only triangles. */
 int meshfile_write(const Soup *s, const MeshFormat *format, char **bytes, size_t *n);
 int meshfile_write_mesh(const Mesh *m, const MeshFormat *format, char **bytes, size_t *n);
 

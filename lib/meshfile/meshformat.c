@@ -25,7 +25,7 @@ meshformat(int i)
 	return i >= 0 && i < ROWS ? &table[i] : NULL;
 }
 
-/* Whether name ends in the n bytes at end, with something before them. */
+/* Whether name is longer than n and ends in the n bytes at end, in upper or lower case. */
 static int
 ends_in(const char *name, const char *end, size_t n)
 {

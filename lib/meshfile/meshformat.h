@@ -1,8 +1,7 @@
 /* meshformat.h - the table of mesh formats, one row for each.
  *
- * Reading, writing by the end of a file name, usage texts and messages take their lists from
- * it.  To add a format: a file with its three functions, their prototypes in meshpriv.h and
- * writepriv.h, and a row in meshformat.c.
+ * Readers, writers, usage texts and messages use this table.  To add a format: a file with its
+ * three functions, their prototypes in meshpriv.h and writepriv.h, and a row in meshformat.c.
  */
 #ifndef MESHFORMAT_H
 #define MESHFORMAT_H
@@ -34,12 +33,13 @@ typedef struct MeshFormat {
 /* Row i, or NULL after the last.  Row 0 is what a program writes to stdout. */
 const MeshFormat *meshformat(int i);
 
-/* The format to write to a file of this name, known by the end of the name in upper or lower case,
- * or NULL. */
+/* The format to write to a file of this name: that of the ending of the name, in upper or lower
+ * case; NULL if there is none. */
 const MeshFormat *meshformat_of(const char *file);
 
-/* Lists of the formats that have all flags of can, for usage texts and messages: "OFF, OBJ or PLY" with
- * the word "or", and the ends of their file names, ".off .obj or .ply".  Both return buf. */
+/* Lists of the formats that have all flags of can, for usage texts and messages: "OFF, OBJ or PLY"
+ * with the word "or", and the ends of their file names, ".off .obj or .ply".  Both write the list
+ * to buf and return buf. */
 enum { MESHFORMAT_LIST = 120 };
 char *meshformat_names(unsigned can, const char *word, char buf[MESHFORMAT_LIST]);
 char *meshformat_ends(unsigned can, char buf[MESHFORMAT_LIST]);

@@ -6,10 +6,10 @@
 #include "../mesh/fail.h"
 #include "../mesh/mesh.h"
 
-/* The reading position in a file and the soup under construction.  s->nv and s->nf count complete
- * records, so they are the number of the record being read. */
+/* The position in the file being read, and the soup under construction.  s->nv and s->nf count
+ * complete vertices and faces, so each is also the index of the one being read. */
 typedef struct Reader {
-	const char *p, *end;    /* the bytes left */
+	const char *p, *end;    /* the remaining bytes */
 	long   line;            /* of p, from 1 */
 	int    hash;            /* # begins a comment */
 	int    read_uv;          /* read MESH_UV and s->T */
@@ -28,7 +28,7 @@ typedef struct Token {
 
 enum { SCAN_SHOW = 40 };
 
-/* The next word: on any line, or on this line only.  Returns 1, or 0 if there is none. */
+/* Read the next word; scan_word only on the current line.  Return 1, or 0 if there is none. */
 int scan_token(Reader *r, Token *t);
 int scan_word(Reader *r, Token *t);
 void scan_skipline(Reader *r);
@@ -49,47 +49,50 @@ char *scan_show(Token t, char buf[SCAN_SHOW]);
 
 size_t scan_left(const Reader *r);
 
-/* Append to the soup; a face consists of the corners since the face before.  Each returns 0 or a
- * MESH_E code with the reason in r->s->err.  soup_corner: vertices are counted from 0. */
+/* Append to the soup.  soup_face ends a face, which consists of the corners appended since the
+ * previous face.  In soup_corner, i counts vertices from 0.  soup_reserve allocates memory for so
+ * many more vertices, faces and corners.  Each returns 0 or a MESH_E code with the reason in
+ * r->s->err. */
 int soup_reserve(Reader *r, size_t nv, size_t nf, size_t ni);
 int soup_vertex(Reader *r, const double x[3]);
 int soup_corner(Reader *r, long long i);
 int soup_face(Reader *r);
 
-/* Give back the room for faces and corners that was reserved but not used. */
+/* Frees the memory for faces and corners that was reserved but not used. */
 void soup_trim(Reader *r);
 
-/* Check the count of records in a header against the bytes left, which have room for `room` records: 0
- * or MESH_EFORMAT.  soup_truncated returns MESH_EFORMAT with the message that the file ends in
- * record i. */
+/* soup_check_count checks the number of records in a header; the remaining bytes have room for
+ * `room` records.  Returns 0 or MESH_EFORMAT.  soup_truncated returns MESH_EFORMAT with the message
+ * that the file ends in record i. */
 int soup_check_count(Reader *r, const char *what, long long count, size_t room);
 int soup_truncated(Reader *r, const char *what, long long i, long long count);
 
-/* The text of a comment: "lhgrid T 0.91" sets s->T, "lhgrid offset 0 0 .1 .02" is the offset of the
- * next vertex; any other is ignored.  Returns 0, MESH_ENOMEM, MESH_EFORMAT or MESH_EVALUE. */
+/* Reads the text of a comment: "lhgrid T 0.91" sets s->T, "lhgrid offset 0 0 .1 .02" is the offset
+ * of the next vertex; any other is ignored.  Returns 0, MESH_ENOMEM, MESH_EFORMAT or
+ * MESH_EVALUE. */
 int uv_comment(Reader *r);
 
-/* Appends an offset.  0 or MESH_ENOMEM. */
+/* Appends an offset.  Returns 0 or MESH_ENOMEM. */
 int offset_append(Reader *r, const double x[4]);
 
 /* Make the channel MESH_UV for nv vertices, or s->nv if that is more, all (-1,-1).  Returns 0 or
  * MESH_ENOMEM. */
 int uv_start(Reader *r, size_t nv);
 
-/* Check that every (u,v) and every offset is finite, and make the channel MESH_OFFSET if there is an
- * offset for each vertex.  0, MESH_ENOMEM, MESH_EFORMAT or MESH_EVALUE. */
+/* Check that every (u,v) and every offset is finite, and make the channel MESH_OFFSET if there is
+ * an offset for each vertex.  0, MESH_ENOMEM, MESH_EFORMAT or MESH_EVALUE. */
 int uv_check(Reader *r);
 
-/* The beginning of a file, to recognise its format: its first n bytes, its first word after comments,
- * and bounds on its size, both n if all of it is here. */
+/* The beginning of a file, to recognise its format: its first n bytes, its first word after
+ * comments, and bounds on its size, both n if all of it is here. */
 typedef struct MeshStart {
 	const char *p;
 	size_t n, least, most;
 	Token  word;
 } MeshStart;
 
-/* How likely a file is of a format.  The likeliest format is chosen; of equal ones, the first in the
- * table. */
+/* How likely it is that a file has a certain format.  The likeliest format is chosen; among equally
+ * likely ones, the first in the table. */
 enum { MESHSTART_NO, MESHSTART_MAYBE, MESHSTART_LIKELY, MESHSTART_SURE };
 
 /* For each format: x_recognise returns one of these; x_read reads the file into r->s.  Both begin
@@ -107,8 +110,9 @@ int stl_read(Reader *r);
  * MESH_EFORMAT. */
 int gunzip(const char *in, size_t n, size_t most, char **out, size_t *nout, char err[MESH_ERRLEN]);
 
-/* The first bytes that gzip data unpack to, in out, of room for fewer than 4 GiB; returns how many,
- * 0 also if the data are damaged or memory is short. */
+/* Unpacks the beginning of gzip data to out, which has room for `room` bytes, fewer than 4 GiB.
+ * Returns the number of unpacked bytes, which is 0 also if the data are damaged or memory runs
+ * out. */
 size_t gunzip_head(const char *in, size_t n, char *out, size_t room);
 
 /* An unsigned integer, or a float or double, of n bytes; big: most significant byte first. */

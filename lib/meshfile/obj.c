@@ -7,7 +7,7 @@
 
 #include "meshpriv.h"
 
-/* vt[k] is (u,v) number k; of[c] is the number that corner c names, or -1. */
+/* vt[k] is (u,v) number k of the file; of[c] is the number of the (u,v) of corner c, or -1. */
 typedef struct Obj {
 	Reader *r;
 	double (*vt)[2];
@@ -25,7 +25,8 @@ bad(Reader *r, const char *what, Token t)
 	    r->line, scan_show(t, show), what);
 }
 
-/* The next word of this statement: a backslash at the end of a line joins the next. */
+/* The next word of this statement.  A backslash at the end of a line continues the statement on the
+ * next line. */
 static int
 word(Reader *r, Token *t)
 {
@@ -41,7 +42,7 @@ word(Reader *r, Token *t)
 	return 0;
 }
 
-/* x y z, optionally followed by w or a colour. */
+/* Reads a vertex: x y z, optionally followed by w or a colour, which are ignored. */
 static int
 vertex(Reader *r)
 {
@@ -58,7 +59,8 @@ vertex(Reader *r)
 	return soup_vertex(r, x);
 }
 
-/* Grows the array a, by doubling, to have room for item n; returns it, or NULL, and a is kept. */
+/* Enlarges the array a, by doubling, to have room for item n.  Returns the array, or NULL if memory
+ * runs out; a is then unchanged. */
 static void *
 room(Obj *o, void *a, size_t *cap, size_t n, size_t size)
 {
@@ -74,7 +76,7 @@ room(Obj *o, void *a, size_t *cap, size_t n, size_t size)
 	return b;
 }
 
-/* vt u v, optionally followed by w. */
+/* Reads a texture coordinate: u v, optionally followed by w, which is ignored. */
 static int
 texture(Obj *o)
 {
@@ -99,8 +101,9 @@ texture(Obj *o)
 	return 0;
 }
 
-/* *i is the place, counted from 0, that OBJ index a refers to: a counts from 1, or is negative and
- * counts back from the n items so far.  A positive index may refer to an item further down. */
+/* Converts the OBJ index a to *i, counted from 0.  In the file a counts from 1, or is negative and
+ * counts back from the n items read so far.  A positive index may refer to an item that comes
+ * later. */
 static int
 index_from_0(Reader *r, Token a, int n, const char *things, long long *i)
 {
@@ -116,7 +119,8 @@ index_from_0(Reader *r, Token a, int n, const char *things, long long *i)
 	return 0;
 }
 
-/* Stores the b of a/b or a/b/c for the next corner; slash is the first slash, or NULL. */
+/* Stores index b of a corner a/b or a/b/c for the next corner.  slash points to the first slash, or
+ * is NULL if there is none. */
 static int
 cornertexture(Obj *o, const char *slash, const char *end)
 {

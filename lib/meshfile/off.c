@@ -55,7 +55,7 @@ counts(Off *o)
 	return 0;
 }
 
-/* The count of numbers left on this line, or a negative code. */
+/* The number of numbers left on this line, or a negative code. */
 static int
 leftover(Off *o)
 {
@@ -123,10 +123,11 @@ face(Off *o)
 	return soup_face(r);
 }
 
-/* A record begins on a new line and may be broken over several, until it has three coordinates, or
- * a count and that many corners.  The rest of its last line is skipped: for a vertex any numbers
- * (colour, normal, texture), equally many for all; for a face up to four, a colour.  So a file with
- * several records in one line is refused, not misread. */
+/* Reads the records of an ASCII file.  A record begins on a new line and may extend over several
+ * lines, until it has three coordinates, or a count and that many corners.  The rest of its last
+ * line is skipped: for a vertex any numbers (colour, normal, texture), as many as for the first
+ * vertex; for a face up to four numbers, a colour.  So a file with several records on a line is
+ * refused, not misread. */
 static int
 ascii(Off *o)
 {
@@ -155,7 +156,7 @@ word4(const Off *o, const char *p)
 	return (long long)scan_bytes(p, 4, o->big);
 }
 
-/* Whether the bytes from p, read as faces with colours, end where the file ends. */
+/* Whether the bytes from p on, read as faces with colours, end exactly at the end of the file. */
 static int
 hascolours(const Off *o, const char *p)
 {
@@ -194,8 +195,8 @@ binface(Off *o)
 }
 
 /* Geomview writes big-endian, with a count of colours after each face; pmp-library and others write
- * little-endian without it.  The byte order is the one whose counts fit the file; of the two readings
- * of the faces, the one that ends at the end of the file is taken. */
+ * little-endian without it.  The byte order is that in which the counts fit the size of the file.
+ * Faces are read with colours if they then end exactly at the end of the file. */
 static int
 binary(Off *o)
 {

@@ -22,7 +22,7 @@ truncated(Record *c)
 	    c->i, c->e->n);
 }
 
-/* The next value; integers of 32 bits are exact in a double. */
+/* Reads the next value.  Integers of 32 bits are exact in a double. */
 static int
 value(Record *c, const PlyType *type, double *x)
 {
@@ -65,8 +65,9 @@ check_integer(Record *c, double x, double lo)
 	    scan_show(c->e->name, show), c->i, x);
 }
 
-/* The next corner of a strip, which makes a triangle with the two before it.  Every second triangle has
- * the opposite orientation; -1 restarts; triangles with a vertex twice only reverse the orientation. */
+/* Adds corner k of a triangle strip.  It makes a triangle with the two corners before it.  Every
+ * second triangle has the opposite orientation.  k = -1 starts a new strip.  Triangles in which a
+ * vertex occurs twice are left out, but count for the orientation. */
 static int
 strip_corner(Record *c, long long k)
 {
@@ -143,7 +144,7 @@ record(Record *c)
 	return c->e->kind == PLY_FACE ? soup_face(c->p->r) : 0;
 }
 
-/* Reserves room for all records that the bytes left can hold. */
+/* Reserves memory for all records that the remaining bytes can contain. */
 static int
 reserve(Ply *p, const PlyElem *e)
 {

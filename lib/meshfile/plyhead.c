@@ -74,7 +74,7 @@ element(Ply *p)
 	return 0;
 }
 
-/* The use of a vertex property that is not x, y or z, if (u,v) is read. */
+/* The use of a vertex property other than x, y and z, when (u,v) is to be read. */
 static int
 uv_use(Token name)
 {
@@ -151,7 +151,8 @@ find_uv_pair(Ply *p, const PlyElem *vertex)
 	    "vertices lack (u,v): properties s t, u v or texture_u texture_v");
 }
 
-/* Sets p->offset if the vertices have an offset: all of its four properties, or none. */
+/* Sets p->offset if the vertices have offsets.  A file with only some of the four properties of an
+ * offset is refused. */
 static int
 find_offset(Ply *p, const PlyElem *vertex)
 {
@@ -164,7 +165,8 @@ find_offset(Ply *p, const PlyElem *vertex)
 	    "vertices have %d of the properties offset_u offset_v offset_n offset_r", has);
 }
 
-/* Checks that vertices, faces and strips occur at most once each and have the properties they need. */
+/* Checks that vertices, faces and strips occur at most once each and have the properties they
+ * need. */
 static int
 check_elements(Ply *p)
 {
@@ -243,7 +245,7 @@ ply_header(Ply *p)
 	}
 	if (p->format < 0)
 		return mesh_fail(r->s->err, MESH_EFORMAT, "header has no format line");
-	/* One line end, of the same kind as that of the first line: data may begin with a \n. */
+	/* Skip one line end, of the same kind as the first: the data may begin with a \n. */
 	scan_skipline(r);
 	if (r->p < r->end && *r->p == '\r')
 		r->p++;

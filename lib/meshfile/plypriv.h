@@ -7,7 +7,7 @@
 enum { PLY_ASCII, PLY_LITTLE, PLY_BIG };
 enum { PLY_OTHER, PLY_VERTEX, PLY_FACE, PLY_STRIP };    /* kinds of elements */
 enum { PLY_SKIP = -1, PLY_CORNERS = 3, PLY_UV = 4, PLY_OFFSET = 10, PLY_USES = 14 };
-                                /* uses of a property; 0 1 2: x y z; 4 5, 6 7, 8 9: u v; then the offset */
+                                /* uses: 0 1 2 is x y z; 4 5, 6 7, 8 9 are u v; then offset */
 enum { PLY_MAXELEM = 32, PLY_MAXPROP = 256 };
 
 typedef struct PlyType {
@@ -16,21 +16,21 @@ typedef struct PlyType {
 } PlyType;
 
 typedef struct PlyProp {
-	const PlyType *type, *count;    /* count: the type of the length of a list; NULL if it is no list */
+	const PlyType *type, *count;    /* count: type of the length of a list; NULL: no list */
 	int use;
 } PlyProp;
 
 typedef struct PlyElem {
 	Token name;
 	int kind;
-	long long n;            /* number of records in the header */
+	long long n;            /* number of records, as the header says */
 	int p0, p1;             /* properties p0 .. p1-1 */
 } PlyElem;
 
 typedef struct Ply {
 	Reader *r;
 	int format, ne, np;
-	int uv;                 /* the pair that is read, or 0 */
+	int uv;                 /* which pair of u and v is read, or 0 */
 	int offset;             /* offsets are read */
 	PlyElem elem[PLY_MAXELEM];
 	PlyProp prop[PLY_MAXPROP];

@@ -18,7 +18,7 @@ doubles(Text *t, const double *x, int n)
 	}
 }
 
-/* Bytes of the counts of corners, 1 or 4. */
+/* Size in bytes of the number of corners of each face: 1 or 4. */
 static int
 countsize(const Soup *s)
 {

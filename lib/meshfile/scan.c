@@ -84,7 +84,7 @@ scan_show(Token t, char buf[SCAN_SHOW])
 	return buf;
 }
 
-/* nan, inf and infinity, with or without a sign. */
+/* Reads nan, inf or infinity, with or without a sign. */
 static int
 notfinite(Token t, double *x)
 {
@@ -108,7 +108,8 @@ viastrtod(Token t, double *x)
 	return end == buf + t.n;
 }
 
-/* Appends the digits at *p to *w, which has `had` so far; returns their count, or -1 beyond 18. */
+/* Appends the decimal digits at *p to the number *w, which has `had` digits so far.  Returns how
+ * many were appended, or -1 if there would be more than 18 in all. */
 static int
 digits(const char **p, const char *end, uint64_t *w, int had)
 {
@@ -122,8 +123,8 @@ digits(const char **p, const char *end, uint64_t *w, int had)
 	return n;
 }
 
-/* A mantissa up to 2^53 and a power of ten up to 10^22 are exact doubles, so their quotient is rounded
- * once, as by strtod, which reads all other numbers. */
+/* Integers up to 2^53 and powers of ten up to 10^22 are exact doubles, so their quotient is rounded
+ * once and equals the result of strtod.  All other numbers are read by strtod. */
 int
 scan_number(Token t, double *x)
 {
@@ -182,7 +183,7 @@ bytes(const char *p, int n, int big)
 	return w;
 }
 
-/* The compiler makes one load of each common size. */
+/* For common values of n the compiler makes this a single load. */
 unsigned long long
 scan_bytes(const char *p, int n, int big)
 {

@@ -6,7 +6,7 @@
 
 #include "meshpriv.h"
 
-/* Makes room for n items at *a, which has room for *cap. */
+/* Enlarges the array *a from *cap to n items of `size` bytes, if n is larger. */
 static int
 grow(Reader *r, void **a, size_t *cap, size_t n, size_t size)
 {
@@ -22,7 +22,7 @@ grow(Reader *r, void **a, size_t *cap, size_t n, size_t size)
 	return 0;
 }
 
-/* Each grows one of the arrays to room for n. */
+/* Each of these three enlarges one array of the soup to n items. */
 static int
 grow_vertices(Reader *r, size_t n)
 {
@@ -53,7 +53,7 @@ grow_corners(Reader *r, size_t n)
 	return e;
 }
 
-/* The arrays are allocated even if they stay empty. */
+/* One item more than asked for: the arrays are allocated even if they stay empty. */
 int
 soup_reserve(Reader *r, size_t nv, size_t nf, size_t ni)
 {

@@ -5,15 +5,16 @@
 
 enum { HEAD = 84, EACH = 50 };
 
-/* The size of a binary file by the count of triangles in its first n bytes, at p. */
+/* The size in bytes of a binary file, computed from the triangle count in its header.  p has its
+ * first n bytes.  0 if n is less than the header. */
 static unsigned long long
 binary_size(const char *p, size_t n)
 {
 	return n >= HEAD ? HEAD + EACH*scan_bytes(p + 80, 4, 0) : 0;
 }
 
-/* Binary files are known by their size, since many begin with "solid" as well.  Binary data
- * with a believable count but another size count as a damaged STL. */
+/* Binary files are recognised by their size, since many of them begin with "solid", too.  Binary
+ * data with a plausible triangle count but the wrong size are taken for a damaged STL file. */
 int
 stl_recognise(const MeshStart *m)
 {
@@ -49,7 +50,7 @@ binary(Reader *r)
 	    (e = soup_reserve(r, 3*n, n, 3*n)) != 0)
 		return e;
 	for (r->p += HEAD; r->p < r->end; r->p += EACH) {
-		for (k = 1; k <= 3; k++) {              /* 0 is the normal */
+		for (k = 1; k <= 3; k++) {              /* the normal, at k = 0, is skipped */
 			for (c = 0; c < 3; c++)
 				x[c] = scan_float(r->p + 12*k + 4*c, 4, 0);
 			if ((e = soup_vertex(r, x)) != 0)
@@ -94,7 +95,7 @@ numbers(Reader *r, double x[3])
 	return 0;
 }
 
-/* Reads a facet after the word "facet". */
+/* Reads the rest of a facet, after the word "facet". */
 static int
 facet(Reader *r)
 {
@@ -113,7 +114,7 @@ facet(Reader *r)
 	return triangle(r);
 }
 
-/* Several solids one after the other are one soup. */
+/* All solids of a file go into one soup. */
 static int
 ascii(Reader *r)
 {

@@ -20,7 +20,7 @@ floats(Text *t, const double x[3])
 	}
 }
 
-/* Unit normal of triangle v, or 0 if its length is 0 or exceeds a double. */
+/* Unit normal of triangle v; 0 if the cross product of its edges is 0 or overflows. */
 static void
 normal(const double *xyz, const int *v, double n[3])
 {

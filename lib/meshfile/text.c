@@ -28,7 +28,7 @@ text_bytes(Text *t, uint64_t w, int n)
 		t->p[t->n++] = (char)(w & 0xff);
 }
 
-/* x with the fewest of 15, 16 or 17 digits that read back as x, and the character after it. */
+/* Appends x, with the fewest of 15 to 17 digits that read back as x, and the character `after`. */
 static void
 number(Text *t, double x, char after)
 {

@@ -24,7 +24,7 @@ offset_append(Reader *r, const double x[4])
 	return 0;
 }
 
-/* The four numbers of an offset. */
+/* Reads the four numbers of an offset from the rest of the line. */
 static int
 offset(Reader *r)
 {

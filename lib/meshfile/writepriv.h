@@ -1,4 +1,4 @@
-/* writepriv.h - shared by the mesh writers: text that grows, and the formats.  Private to lib/. */
+/* writepriv.h - shared by the mesh writers: a file that grows in memory.  Private to lib/. */
 #ifndef WRITEPRIV_H
 #define WRITEPRIV_H
 
@@ -13,27 +13,31 @@ typedef struct Text {
 	size_t n, cap;
 } Text;
 
-enum { TEXT_MAX = 400 };        /* more than any piece appended at once */
+enum { TEXT_MAX = 400 };        /* bytes; more than are appended after one text_room */
 
-/* Make room for one more piece.  Returns 1, or 0 if memory runs out. */
+/* Make room for TEXT_MAX bytes, to be called before they are appended.  Returns 1, or 0 if memory
+ * runs out. */
 int text_room(Text *t);
 
-/* Append the n low bytes of w, least significant first; a word; an integer >= 0. */
+/* Append the n low bytes of w, least significant first; the string s; the integer i >= 0. */
 void text_bytes(Text *t, uint64_t w, int n);
 void text_words(Text *t, const char *s);
 void text_int(Text *t, int i);
 
-/* Append nv lines of n numbers each, with a word before them.  Returns 0 or MESH_ENOMEM. */
+/* Append x[nv][n] as nv lines, each beginning with the string `before`.  Returns 0 or
+ * MESH_ENOMEM. */
 int text_lines(Text *t, const double *x, int nv, int n, const char *before);
 
-/* Append "lhgrid T 0.91" after the word that begins a comment, if s has (u,v) and T. */
+/* If s has (u,v) and T, append `before`, which begins a comment in the format, and "lhgrid T
+ * 0.91". */
 void text_modulus(Text *t, const Soup *s, const char *before);
 
-/* The corners of face f in *v; returns their number.  s->first is NULL where all faces are
+/* Sets *v to the corners of face f and returns their number.  s->first may be NULL if all faces are
  * triangles. */
 int text_corners(const Soup *s, int f, const int **v);
 
-/* For each format: append all of the file.  Returns 0, MESH_ENOMEM, MESH_EVALUE or MESH_EFACE. */
+/* The writer of each format: appends the whole file.  Returns 0, MESH_ENOMEM, MESH_EVALUE or
+ * MESH_EFACE. */
 int off_write(Text *t, const Soup *s);
 int obj_write(Text *t, const Soup *s);
 int ply_write(Text *t, const Soup *s);

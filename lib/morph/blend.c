@@ -8,7 +8,7 @@ blend(size_t n, double t, const double *a, const double *b, double *f)
 {
 	size_t p;
 
-	if (t == 0 || t == 1) {                                 /* keeps the sign of 0, too */
+	if (t == 0 || t == 1) {                                 /* copies bits, even the sign of 0 */
 		memcpy(f, t == 0 ? a : b, n*sizeof *f);
 		return;
 	}

@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-/* f = (1-t) a + t b, n numbers; a itself at t = 0 and b at t = 1, bit for bit. */
+/* f = (1-t) a + t b for arrays of n numbers.  At t = 0 f is a copy of a, at t = 1 of b. */
 void blend(size_t n, double t, const double *a, const double *b, double *f);
 
 #endif

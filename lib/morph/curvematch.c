@@ -7,13 +7,13 @@
 #include "curvematch.h"
 #include "../base/procrustes.h"
 
-static const double ROUNDING = 1e-13;   /* error of norms - 2 gain, relative to norms */
+static const double ROUNDING = 1e-13;   /* bound of the relative rounding error of norms - 2 gain */
 
-/* The workspace of one problem, and its plans. */
+/* Workspace and FFTW plans of one call of curvematch. */
 typedef struct Correlation {
 	int           n;
 	double       *real;             /* [n] */
-	double       *C;                /* [9][n] */
+	double       *C;                /* [9][n] C_kl(s), row 3k + l */
 	fftw_complex *f[2][3];          /* [n/2+1] transforms of the coordinates of both curves */
 	fftw_complex *product;
 	fftw_plan     forth, back;
@@ -55,7 +55,8 @@ correlation_init(Correlation *q, int n)
 	return CURVEMATCH_ENOMEM;
 }
 
-/* Transforms the centred coordinates of one curve; returns the sum of their squares. */
+/* Fourier transforms of the three coordinates of a curve, after subtracting their means.  Returns
+ * the sum of the squares of these differences. */
 static double
 transform(Correlation *q, const double *x, fftw_complex *f[3])
 {
@@ -74,7 +75,8 @@ transform(Correlation *q, const double *x, fftw_complex *f[3])
 	return sum;
 }
 
-/* C_kl(s) = sum over i of a_k(i) b_l(i+s), whose transform is conj(a_k) b_l. */
+/* C_kl(s) = sum over i of a_k(i) b_l(i+s).  The transform of C_kl is conj(A_k) B_l, where A and B
+ * are the transforms of a and b. */
 static void
 correlate(Correlation *q, int k, int l)
 {

@@ -6,8 +6,9 @@
 #include "matching.h"
 #include "../base/vec3.h"
 
-/* The nodes and landmarks of a border in order; the key of a point is i + f if it lies at the share f
- * of the arc length from landmark i to the next. */
+/* The nodes and landmarks of a border, in order.  A point has the key i + f if it lies between
+ * landmarks i and i + 1, at the fraction f of the arc length between them.  r is its place, x its
+ * position. */
 typedef struct Keyed {
 	int     n;
 	double *key, *r, *x;
@@ -46,7 +47,8 @@ append(Keyed *l, double key, double r, const double x[3])
 	l->n++;
 }
 
-/* Appends landmark i and the nodes between it and the next; *k is the first node after it. */
+/* Appends landmark i and the nodes between landmarks i and i + 1.  *k is the first node after
+ * landmark i, on return the first one after landmark i + 1. */
 static int
 append_part(Keyed *l, const Border *b, int n, const double *p, int i, int *k)
 {
@@ -98,8 +100,8 @@ keyed_init(Keyed *l, const Border *b, int n, const double *p, int *at)
 	return e;
 }
 
-/* Sets entry n of curve k of m to the point of l with the given key: entry i, or between it and the
- * entry before. */
+/* Sets entry m->n of curve k of m to the point of l with the given key, which is entry i or lies
+ * between entries i - 1 and i. */
 static void
 put_key(Matching *m, int k, const Keyed *l, int i, double key)
 {
@@ -117,7 +119,7 @@ put_key(Matching *m, int k, const Keyed *l, int i, double key)
 		m->x[k][3*m->n + c] = (1 - w)*p[c] + w*q[c];
 }
 
-/* Merges both lists by their keys; the last keys are equal. */
+/* Merges both lists by their keys.  The last keys of the lists are equal. */
 static void
 merge(Matching *m, const Keyed *a, const Keyed *b)
 {
@@ -155,7 +157,8 @@ matching_alloc(Matching *m, size_t n)
 	return MATCHING_ENOMEM;
 }
 
-/* Adds full turns to the places of b, so that pairs move the shorter way. */
+/* Adds a multiple of 4, full turns, to the places of b, so that on average pairs move the shorter
+ * way round. */
 static void
 add_turns(Matching *m)
 {

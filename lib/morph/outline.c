@@ -8,7 +8,7 @@
 
 static const double WAVES = 8;          /* a wave with this many periods is damped to 1/e */
 
-/* Arc length of the closed polygon x from its start to point i, 0 .. n. */
+/* Sets s[i] to the arc length of the closed polygon x from its start to point i, 0 .. n. */
 static int
 arc_lengths(int n, const double *x, double *s)
 {
@@ -24,7 +24,8 @@ arc_lengths(int n, const double *x, double *s)
 	return s[n] > 0 && s[n] < HUGE_VAL ? 0 : OUTLINE_EVALUE;
 }
 
-/* n points y at equal arc lengths on the closed polygon x[m], whose arc lengths are s. */
+/* Sets y to n points at equal distances in arc length on the closed polygon x[m].  s are its arc
+ * lengths, from arc_lengths. */
 static void
 equal_points(int m, const double *x, const double *s, int n, double *y)
 {
@@ -41,7 +42,7 @@ equal_points(int m, const double *x, const double *s, int n, double *y)
 	}
 }
 
-/* Smooths each coordinate.  Division by unit avoids overflow. */
+/* Smooths each coordinate of x and divides it by unit, to avoid overflow. */
 static int
 smooth(int n, double *x, double unit)
 {
@@ -56,7 +57,7 @@ smooth(int n, double *x, double unit)
 			f[i] = x[3*i+c]/unit;
 		fftw_execute(forth);
 		for (i = 0; i <= n/2; i++) {
-			factor = i ? exp(-(i/WAVES)*(i/WAVES))/n : 0;           /* moves the centre to 0 */
+			factor = i ? exp(-(i/WAVES)*(i/WAVES))/n : 0;           /* i = 0: mean 0 */
 			F[i][0] *= factor;
 			F[i][1] *= factor;
 		}

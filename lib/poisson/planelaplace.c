@@ -1,4 +1,4 @@
-/* planelaplace.c - transform by FFTW, divide by the eigenvalues of the Laplacian, transform back. */
+/* planelaplace.c - transforms by FFTW, divides by the eigenvalues of P, transforms back. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -66,9 +66,10 @@ planelaplace_init(PlaneLaplace *p, Chart g, int axis)
 	return e;
 }
 
-/* B is the basis of sines and cosines, orthogonal with the weights W, 1/2 at free ends and 1 elsewhere.
- * Then P = W B Lambda B^-1 and z = B Lambda^-1 B' r, up to norms.  FFTW's transforms double inner
- * terms, so r is halved first in each direction, but not at free ends. */
+/* Let the columns of B be the eigenvectors, products of sines and cosines.  They are orthogonal
+ * with the weights W, which are 1/2 at free ends and 1 elsewhere.  Then P = W B Lambda B^-1, and z
+ * = B Lambda^-1 B' r up to a norm.  FFTW's transforms double all terms except those at free ends,
+ * so these terms of r are first halved in each direction. */
 void
 planelaplace_solve(const PlaneLaplace *p, const double *r, double *z)
 {

@@ -1,9 +1,9 @@
-/* plate.c - transform by sines or cosines, divide by the eigenvalues of a plate, transform back.
+/* plate.c - sine or cosine transform, division by the eigenvalues of P, inverse transform.
  *
- * Two-dimensional transforms are made of one-dimensional ones: threads share the rows of
- * all three fields, and no FFTW plan depends on the number of threads.  Columns are copied
- * out a few at a time, transformed, divided by the eigenvalues, transformed back and copied
- * in again.
+ * A two-dimensional transform consists of one-dimensional ones, first of the rows, then of the
+ * columns.  The rows of all three fields are divided among the threads, and no FFTW plan depends
+ * on the number of threads.  A few columns at a time are copied to a workspace, transformed,
+ * divided by the eigenvalues, transformed back and copied into the field again.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -13,9 +13,10 @@
 
 #include "plate.h"
 
-enum { WIDTH = 8 };             /* columns copied at a time: one cache line */
+enum { WIDTH = 8 };             /* columns copied at a time: a row of them is one cache line */
 
-/* Eigenvalues of minus the second difference over N steps, for waves first .. first + n-1. */
+/* Eigenvalues of the negative second difference on N steps of length `step`, for the wave numbers
+ * first .. first + n-1. */
 static double *
 eigenvalues(int n, int first, int N, double step)
 {
@@ -47,8 +48,8 @@ plate_free(Plate *p)
 	memset(p, 0, sizeof *p);
 }
 
-/* The workspace of a thread: WIDTH columns, then the workspace of a transform; each fills whole cache
- * lines. */
+/* The workspace of a thread has WIDTH columns, then the workspace of a transform.  Both sizes, in
+ * numbers, are rounded up to whole cache lines. */
 static size_t
 columns_room(const Plate *p)
 {
@@ -91,14 +92,15 @@ transform(const Plate *p, int along, double *f, double *work)
 		transform_sine(&p->transform[along], f, work);
 }
 
-/* The constant c of the free plate. */
+/* The constant c of plate.h for a free border, 0 for a held one. */
 static double
 shift(const Plate *p, double b)
 {
 	return p->free ? b*fmin(p->eigenvalue[0][1], p->eigenvalue[1][1]) : 0;
 }
 
-/* Solves `width` columns from column i on; z points to the first unknown node of the field. */
+/* Transforms `width` columns from column i on, divides by the eigenvalues and transforms back.  z
+ * points to the first unknown node of the field. */
 static void
 solve_columns(const Plate *p, double a, double b, int i, int width, double *column, double *z)
 {

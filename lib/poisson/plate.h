@@ -1,15 +1,16 @@
-/* plate.h - the operator of a plate under tension on a grid, inverted by fast transforms.
+/* plate.h - solves the equation of a plate under tension on a grid by fast transforms.
  *
- *   P = a Delta^2 - b Delta,   fields d with d = 0 and Delta d = 0 on the border,
+ *   P = a Delta^2 - b Delta   for fields d with d = 0 and Delta d = 0 on the border,
  *
- * with the five-point Laplacian.  Its eigenvectors are the sines.  P is the preconditioner of
- * the surface method (doc/mathematics.md 6.4).  With a free border,
+ * where Delta is the five-point Laplacian.  Its eigenvectors are products of sines.  P is the
+ * preconditioner of the surface method (doc/mathematics.md 6.4).  With a free border,
  *
- *   P = W (a Delta^2 - b Delta + c),   Delta of the fields mirrored at the border.
+ *   P = W (a Delta^2 - b Delta + c)   with the fields mirrored at the border.
  *
- * The eigenvectors are the cosines; W is 1/2 on the border, 1/4 in the corners, so that P is
- * symmetric.  c is b times the smallest positive eigenvalue of -Delta.  The misfit does not change
- * when a constant is added to a field, so P may treat constants like the longest waves.
+ * The eigenvectors are products of cosines.  W is diagonal: 1/4 in the corners, 1/2 on the rest
+ * of the border, 1 inside; it makes P symmetric.  c is b times the smallest positive eigenvalue of
+ * -Delta; it makes P positive definite.  Constants are then treated like the longest waves, which
+ * is harmless, since the misfit does not change when a constant is added to a field.
  */
 #ifndef PLATE_H
 #define PLATE_H
@@ -21,7 +22,7 @@ enum { PLATE_ENOMEM = -1 };
 
 typedef struct Plate {
 	Chart     g;
-	double   *eigenvalue[2];        /* of minus the second differences along u and v */
+	double   *eigenvalue[2];        /* of the negative second differences along u and v */
 	int       free;                 /* 1: free border, cosines; 0: held border, sines */
 	Transform transform[2];         /* along u and v */
 	double   *work;                 /* the workspaces of all threads */
@@ -32,9 +33,9 @@ typedef struct Plate {
 int  plate_init(Plate *p, Chart g, int free);
 void plate_free(Plate *p);
 
-/* z = P^-1 z in place, for three fields z[3][nv][nu]; on a held border they must be 0 and
- * remain 0.  The cost is six sine (cosine) transforms: one vector Poisson solve, the unit in which
- * the cost of a reconstruction is counted.  The result has the same bits for any number of threads. */
+/* z = P^-1 z in place, for three fields z[3][nv][nu]; on a held border they must be 0 and remain 0.
+ * The cost is six sine (cosine) transforms: one vector Poisson solve, the unit in which the cost of
+ * a reconstruction is counted.  The result has the same bits for any number of threads. */
 void plate_solve(const Plate *p, double a, double b, double *z);
 
 #endif

@@ -5,7 +5,8 @@
 
 #include "transform.h"
 
-/* Where the Fourier transform is in the workspace: after its N input numbers, aligned like them. */
+/* The index in the workspace where the spectrum begins: after the N input numbers, rounded up for
+ * alignment. */
 static size_t
 spectrum_offset(int N)
 {

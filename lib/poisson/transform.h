@@ -4,8 +4,8 @@
  *   cosine  F_k = sum over 0 <= j <= N of f_j cos(pi j k/N),   0 <= k <= N,
  *           the first and the last term halved
  *
- * Either one applied twice gives N/2 times f.  Both consist of a real Fourier transform of
- * length N and a running sum (W. H. Press et al., Numerical Recipes, 12.4.1 and 12.4.2).
+ * Either transform applied twice gives N/2 times f.  Both are computed by a real Fourier transform
+ * of length N and a running sum (W. H. Press et al., Numerical Recipes, 12.4.1 and 12.4.2).
  * FFTW's RODFT00 is some digits more accurate for large N but takes three times as long; a
  * preconditioner needs few digits.
  */

@@ -34,9 +34,9 @@ derivative(const Jet *jet, double du, double dv, double out[3])
 		out[c] = jet->u[c]*du + jet->v[c]*dv;
 }
 
-/* The derivative at the middle of side i j in direction (xu,xv).  Its part across the side is
- * that of clough.h, from the jets at both ends; its part along the side is that of the cubic
- * on the side. */
+/* The derivative at the middle of side i j in direction (xu,xv).  Its component across the side is
+ * computed from the jets at both ends, as in clough.h; its component along the side is the
+ * derivative of the cubic on the side. */
 static void
 middle_derivative(const Clough *c, int i, int j, double xu, double xv, double out[3])
 {
@@ -57,8 +57,8 @@ middle_derivative(const Clough *c, int i, int j, double xu, double xv, double ou
 	}
 }
 
-/* Moves c_k to within GRADIENT_BEND/3 of the longest side L from its place in a flat triangle,
- * the mean of i, j and S.  Returns 1 if it was moved. */
+/* Limits the distance of c_k from (f_i + f_j + S)/3, its place in a flat triangle, to
+ * GRADIENT_BEND/3 L, where L is the longest side.  Returns 1 if c_k was moved. */
 static int
 limit(const Ordinates *n, int k, double L, double ck[3])
 {
@@ -103,7 +103,7 @@ middle_ordinate(const Clough *cl, const int *tri, Ordinates *n, int k)
 		    + (n->f[i][c] + 3*n->t[i][0][c] + 3*n->t[j][1][c] + n->f[j][c])/4;
 }
 
-/* Returns the number of limited sides of triangle t. */
+/* Computes the ordinates of triangle t.  Returns the number of sides k whose c_k was limited. */
 static int
 ordinates(const Clough *cl, int t, Ordinates *n)
 {

@@ -10,13 +10,14 @@
 enum {
 	ENOUGH = 15,    /* rings are added until there are more points than this, */
 	RINGS  = 6,     /* or this many rings */
-	FAN    = 16     /* about the most triangles visited at a vertex: a hub of a million
-	                 * triangles must not cost each of its neighbours a million visits */
+	FAN    = 16     /* about the largest number of triangles visited at a vertex: otherwise a
+	                 * vertex of a million triangles would cost each neighbour a million visits */
 };
-static const double WAVES = 100;        /* wave number of the keys across the rectangle */
+static const double WAVES = 100;        /* radians per unit of u, in chart_keys */
 
-/* A number at each vertex that does not depend on how the vertices are numbered, nor on which of two
- * opposite sides of the rectangle is called the left one, or the lower one. */
+/* Sets a key for each vertex, a number by which to sort.  It depends only on the place in the
+ * rectangle, not on the numbering of the vertices, and does not change when the rectangle is
+ * reflected in u or v. */
 static void
 chart_keys(int nv, const double *u, const double *v, double *key)
 {
@@ -42,7 +43,7 @@ by_key(const void *a, const void *b)
 	return p->key != q->key ? (p->key < q->key ? -1 : 1) : (p->side > q->side) - (p->side < q->side);
 }
 
-/* Sorts the n triangles at a vertex by the keys of their two other vertices. */
+/* Sorts the n triangles at a vertex by the sum of the keys of their two other vertices. */
 static void
 sort_star(const Mesh *m, const double *key, int n, int *side, Spoke *spoke)
 {
@@ -123,9 +124,10 @@ join(Hood *h, int v)
 	h->slot[k] = h->n;
 }
 
-/* Adds the neighbours of vertex i; at a hub, only some.  Every side opposite to i adds its first
- * end.  If the triangles close round i, these are all neighbours: the last ends are the same
- * vertices, and the differences sum to 0.  If the sum is not 0, the last ends are added as well. */
+/* Adds the neighbours of vertex i to h; if i has many triangles, only some of them.  First the
+ * first end of the side opposite to i is added for every triangle.  If the triangles surround i,
+ * these are all neighbours; the second ends are then the same vertices, so the sum of the
+ * differences of the vertex numbers is 0.  If it is not 0, the second ends are added as well. */
 static void
 join_neighbours(const Mesh *m, const Stars *s, Hood *h, int i)
 {
@@ -151,7 +153,7 @@ grow(const Mesh *m, const Stars *s, Hood *h)
 	h->ring = end;
 }
 
-/* The square of the longest side. */
+/* The square of the longest side of a triangle in R^3. */
 static double
 longest2(const Mesh *m, const int *tri)
 {
@@ -166,7 +168,8 @@ longest2(const Mesh *m, const int *tri)
 	return most;
 }
 
-/* Along the side i j: the step d in R^3, the error phi'(e) - d, and phi''(e,e)/8. */
+/* Along the side from i to j, with e its step in (u,v): its step d in R^3, first = phi'(e) - d, and
+ * second = phi''(e,e)/8. */
 static void
 side_terms(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j,
 	double d[3], double first[3], double second[3])
@@ -181,9 +184,9 @@ side_terms(const Mesh *m, const double *u, const double *v, const Jet *jet, int 
 	}
 }
 
-/* The factor by which the jet at i must be scaled to keep the limits along the side i j of a
- * triangle with longest side L, L2 its square: 1 if it keeps them already.
- * |s phi'(e) - d| is at most s |phi'(e) - d| + (1 - s) |d|. */
+/* The largest factor s <= 1 found by which the jet at i must be multiplied to satisfy the limits of
+ * gradient.h along the side i j of a triangle.  L2 is the square of the longest side of this
+ * triangle.  The estimate |s phi'(e) - d| <= s |phi'(e) - d| + (1 - s) |d| is used. */
 static double
 side_factor(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j, double L2)
 {
@@ -206,8 +209,9 @@ side_factor(const Mesh *m, const double *u, const double *v, const Jet *jet, int
 	return fmax(s, 0);
 }
 
-/* A quick sufficient test, which nearly always passes: the jet at ring[0] keeps the limits along
- * the sides to ring[1], .., with the length of each side in place of the triangle's longest. */
+/* Whether the jet at ring[0] satisfies the limits along the sides to ring[1] .. ring[n-1] even with
+ * the length of each side in place of the longest side of the triangle.  This is quick to test,
+ * suffices, and is nearly always true. */
 static int
 clearly_within(const Mesh *m, const double *u, const double *v, const Jet *jet, const int *ring, int n)
 {
@@ -223,7 +227,7 @@ clearly_within(const Mesh *m, const double *u, const double *v, const Jet *jet, 
 	return 1;
 }
 
-/* The smallest side_factor over all triangles at i. */
+/* The smallest side_factor of all triangles at i, at most 1. */
 static double
 limiting_factor(const Mesh *m, const Stars *s, const double *u, const double *v, const Jet *jet, int i)
 {

@@ -7,7 +7,8 @@
 
 static const double INSIDE = -1e-10;    /* least barycentric coordinate of a point inside */
 
-/* Barycentric coordinates of (x,y) in triangle t; 0 when it is flat. */
+/* Sets w to the barycentric coordinates of (x,y) in triangle t.  Returns 0 if t has no area in
+ * (u,v). */
 static int
 barycentric(const Locator *l, int t, double x, double y, double w[3])
 {
@@ -30,8 +31,8 @@ least(const double w[3])
 	return w[0] <= w[1] && w[0] <= w[2] ? 0 : w[1] <= w[2] ? 1 : 2;
 }
 
-/* The neighbour of t across the side opposite to corner k.  If that side is on the boundary, or k
- * is -1: any neighbour except triangle `from`, or -1 if there is none. */
+/* The triangle across the side of t opposite to corner k.  If that side is on the boundary or k is
+ * -1, any neighbour of t except triangle `from`, or -1 if there is none. */
 static int
 step(const Locator *l, int t, int k, int from)
 {
@@ -43,8 +44,9 @@ step(const Locator *l, int t, int k, int from)
 	return twin < 0 ? -1 : twin/3;
 }
 
-/* Walks from t.  Returns the triangle that contains the point, or else the one visited in which
- * it lies deepest; w: its coordinates there. */
+/* Walks from triangle t towards the point.  Returns the triangle that contains it or, if the walk
+ * ends without one, the visited triangle in which the least barycentric coordinate is largest.
+ * Sets w to the coordinates in the returned triangle. */
 static int
 walk(const Locator *l, int t, double x, double y, double w[3])
 {
@@ -71,8 +73,9 @@ walk(const Locator *l, int t, double x, double y, double w[3])
 	return best;
 }
 
-/* The triangle of the mesh in which the point lies deepest, or `best`, with the coordinates w,
- * if there is no deeper one. */
+/* The triangle of the mesh in which the least barycentric coordinate of the point is largest.  On
+ * entry `best` is a candidate and w are the coordinates in it; on return w are those in the
+ * result. */
 static int
 search(const Locator *l, int best, double x, double y, double w[3])
 {
@@ -142,8 +145,8 @@ locate_from(const Locator *l, int from, double x, double y, double bary[3])
 	return t;
 }
 
-/* Sets each cell of the table to a triangle with its centre in the cell, or, if there is none,
- * to that of the cell before. */
+/* Sets each cell of the table to a triangle whose centroid is in the cell, or, if there is none, to
+ * the triangle of the previous cell. */
 static void
 fill_table(Locator *l)
 {

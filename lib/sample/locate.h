@@ -1,4 +1,4 @@
-/* locate.h - point location: the triangle of a mapped mesh that holds a point of the chart. */
+/* locate.h - point location: the triangle of a mapped mesh that contains a point of the chart. */
 #ifndef LOCATE_H
 #define LOCATE_H
 
@@ -20,15 +20,16 @@ typedef struct Locator {
 int  locator_init(Locator *l, const Disk *d, const double *u, const double *v, double T);
 void locator_free(Locator *l);
 
-/* The triangle that contains (x,y), and its barycentric coordinates there, each in 0..1.
- * Found by a walk from the triangle of the table.  If no triangle contains the point, which can
- * happen among turned or flat triangles: the one in which it lies deepest, with negative
- * coordinates set to 0.  At a corner of the chart: the vertex there, although
- * others may be as near to it as rounding allows.  May be called from several threads. */
+/* Returns the triangle that contains (x,y) and sets bary to the barycentric coordinates in it, each
+ * in 0..1.  The triangle is found by a walk that starts at the table's triangle.  If no triangle
+ * contains the point, which can happen among triangles that are turned over or flat, returns the
+ * one whose least coordinate is largest, and sets negative coordinates to 0.  At a corner of the
+ * chart the result is always the vertex mapped there, even if rounding brings other vertices as
+ * near.  May be called from several threads. */
 int  locate(const Locator *l, double x, double y, double bary[3]);
 
-/* locate by a walk from triangle `from`: where triangles are turned over and several contain the
- * point, the first one on the way. */
+/* Like locate, but the walk starts at triangle `from`.  Where triangles are turned over and several
+ * contain the point, the result is the first of them on the walk. */
 int  locate_from(const Locator *l, int from, double x, double y, double bary[3]);
 
 #endif

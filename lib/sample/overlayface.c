@@ -1,9 +1,11 @@
-/* overlayface.c - the face of a triangle from the given vertices that its corners depend on. */
+/* overlayface.c - finds the face that a triangle lies in from the vertices of the given mesh that
+ * its corners were computed from. */
 #include <stdlib.h>
 
 #include "overlayface.h"
 
-/* At most three given vertices: those of the vertex, edge or face that something lies on.  -1: none. */
+/* The vertex, edge or face of the given mesh on which a vertex of the subdivision lies, as one, two
+ * or three vertices; unused entries are -1. */
 typedef struct Support {
 	int v[3];
 } Support;
@@ -29,7 +31,7 @@ add_all(Support *s, const Support *more)
 		add(s, more->v[k]);
 }
 
-/* [o->d.m.nv], to be freed. */
+/* The support of every vertex of o, [o->d.m.nv], to be freed. */
 static Support *
 supports(const Subdivision *o)
 {

@@ -5,11 +5,12 @@
 #include "gradient.h"
 #include "../mesh/subdivision.h"
 
-/* The face of m that each triangle of o lies in.
+/* Finds the face of m in which each triangle of o lies.
  *
  * m     the given mesh of o
- * s     of m
- * face  out  [o->d.m.nf]; -1 if it cannot be told, which can happen to triangles without area
+ * s     the stars of m
+ * face  out  [o->d.m.nf]; -1 if it cannot be determined, which happens only for triangles without
+ * area
  *
  * Returns 0 or MESH_ENOMEM. */
 int overlay_faces(const Mesh *m, const Stars *s, const Subdivision *o, int *face);

@@ -1,8 +1,8 @@
 /* polyfit.c - least squares for the polynomial of a neighbourhood, by Householder reflections.
  *
- * No pivoting.  The columns are in the order of their degree, so the leading part of the
- * triangular factor is the fit of lower degree at no cost, and among dependent terms the
- * higher ones are left out.
+ * There is no pivoting: the columns are ordered by the degree of their terms.  So the leading part
+ * of the triangular factor also gives the fits of lower degree, and among linearly dependent terms
+ * those of higher degree are left out.
  */
 #include <string.h>
 
@@ -10,15 +10,18 @@
 #include "polyfit.h"
 #include "../base/vec3.h"
 
-/* A term is left out if less than this share of its column is independent of earlier columns. */
+/* A term is left out if the part of its column orthogonal to the earlier columns is shorter than
+ * this fraction of the column. */
 static const double NEW = 0.02;
 
-/* An extent counts as 0 below FLAT times the largest one, and below TINY in (u,v). */
+/* The extent of the points in a direction counts as 0 if it is less than FLAT times the largest
+ * extent, or less than TINY in (u,v). */
 static const double FLAT = 1e-10, TINY = 1e-100;
 
 /* The linear map after which the points around the first one have unit variance in all
- * directions; a direction without extent is mapped to 0.  The principal axes come from the half
- * angle of (a - c, 2b), the variances from sums of squares along them. */
+ * directions; a direction without extent is mapped to 0.  The angle of the principal axes
+ * is half the angle of (a - c, 2b), where a, b, c are the entries of the covariance matrix; the
+ * variances are sums of squares along the axes. */
 static void
 whiten(const Hood *h, const double *u, const double *v, double to[2][2])
 {
@@ -55,7 +58,8 @@ whiten(const Hood *h, const double *u, const double *v, double to[2][2])
 	}
 }
 
-/* One weighted row per neighbour; the coefficients are derivatives in (x,y). */
+/* Sets one weighted row for each neighbour.  The monomials are scaled so that the coefficients are
+ * derivatives in (x,y). */
 static void
 fill(const Hood *h, const Mesh *m, const double *u, const double *v, Polyfit *f)
 {
@@ -110,8 +114,9 @@ all_squares(const Polyfit *f, double whole[POLYFIT_COLS])
 	}
 }
 
-/* Reflects the rows from r on so that column c vanishes below row r; norm is its length
- * there.  Columns before 4*four <= c are finished; four is a compile-time constant. */
+/* Householder reflection of the rows from r on, after which column c is 0 below row r.  norm is the
+ * length of column c from row r on.  Columns before 4*four <= c are finished; four is a
+ * compile-time constant. */
 INLINE void
 reflect(Polyfit *f, int c, int r, double norm, int four)
 {

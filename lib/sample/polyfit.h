@@ -20,7 +20,8 @@ typedef struct Hood {
 	unsigned char slot[2*POLYFIT_MOST];
 } Hood;
 
-/* Rows of weighted monomials and differences of phi, made triangular. */
+/* The matrix of the least squares problem, made triangular: columns of weighted monomials, then the
+ * three right-hand sides, weighted differences of phi. */
 typedef struct Polyfit {
 	int    rows, rank;
 	int    term[POLYFIT_TERMS];     /* the term of each column 0 .. rank-1 of the triangle, ascending */
@@ -28,11 +29,11 @@ typedef struct Polyfit {
 	double a[POLYFIT_MOST][POLYFIT_COLS];
 } Polyfit;
 
-/* The fit.  f->rank is 9, or less if the points are too few or some terms depend on earlier
- * ones at these points. */
+/* Computes the fit.  f->rank is the number of terms: 9, or less if there are too few points or some
+ * terms are linearly dependent on earlier ones at these points. */
 void polyfit(Polyfit *f, const Hood *h, const Mesh *m, const double *u, const double *v);
 
-/* The derivatives at v[0] of the fit with the terms up to a degree, 1 to 3. */
+/* The derivatives at v[0] of the fit with the terms up to the given degree, 1 to 3. */
 void polyfit_jet(const Polyfit *f, int degree, Jet *jet);
 
 #endif

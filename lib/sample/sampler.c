@@ -45,7 +45,8 @@ sampler_free(Sampler *s)
 	s->state = NULL;
 }
 
-/* smooth is 0 at the vertices of triangles that are turned over or flat, 1 at the others. */
+/* Sets smooth to 0 at the vertices of triangles that are turned over or flat in (u,v), to 1 at the
+ * others. */
 static void
 mark_unturned(const Locator *l, double *smooth)
 {
@@ -82,15 +83,15 @@ sampler_overlay(Sampler *s, const Subdivision *o, const double *u, const double 
 	return 0;
 }
 
-/* A point of the chart as barycentric coordinates 1 and 2 in triangle t of the mesh, and in triangle f
- * of the overlay. */
+/* A point of the chart: w are its barycentric coordinates 1 and 2 in triangle t of the mesh, b
+ * those in triangle f of the overlay. */
 typedef struct Place {
 	int    t, f;
 	double w[2], b[2];
-	double smooth;          /* share of the smooth surface */
+	double smooth;          /* weight of the smooth surface, 0 .. 1; the facets have the rest */
 } Place;
 
-/* A number given at the vertices of m, linear in triangle t. */
+/* Interpolates x, given at the vertices of m, linearly in triangle t. */
 static double
 linear(const Mesh *m, int t, const double w[2], const double *x, int stride)
 {
@@ -138,7 +139,7 @@ find_places(const Sampler *s, int n, const double *x, const double *y)
 	return place;
 }
 
-/* Marks those corners of the triangles of the places that have no jet yet. */
+/* Marks the corners of the triangles of these places whose jets have not been computed yet. */
 static void
 mark_corners(const Mesh *m, int n, const Place *place, unsigned char *state)
 {
@@ -161,7 +162,8 @@ mark_corners(const Mesh *m, int n, const Place *place, unsigned char *state)
 	}
 }
 
-/* The mesh of the triangles t with its jets, and that of the triangles f of the overlay. */
+/* What is sampled: mesh m with its jets, for the triangles t of Place, and the overlay `under`, for
+ * the triangles f. */
 typedef struct Surfaces {
 	const Mesh    *m, *under;
 	unsigned char *state;
@@ -198,7 +200,7 @@ sample(const Sampler *s, const Surfaces *on, const Place *p, double phi[3])
 		phi[c] = p->smooth > 0 ? facet[c] + p->smooth*(phi[c] - facet[c]) : facet[c];
 }
 
-/* The first `dimensions` coordinates at n places. */
+/* Samples the first `dimensions` coordinates at n places. */
 static void
 sample_places(const Sampler *s, const Surfaces *on, int n, const Place *place, int dimensions,
 	double *const phi[])
@@ -232,7 +234,7 @@ sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double
 	return 0;
 }
 
-/* A scalar f over the chart as a surface: (f, a u, a v), a the range of f. */
+/* Makes the scalar f a surface xyz = (f, a u, a v) over the chart, where a is the range of f. */
 static void
 graph(const Sampler *s, const double *f, int stride, double *xyz)
 {

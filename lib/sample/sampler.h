@@ -17,15 +17,15 @@ enum { SAMPLER_ENOMEM = -1 };
 typedef struct Sampler {
 	Locator l;
 	int     surface;
-	Stars   stars;          /* this and the rest for SAMPLER_SMOOTH only */
-	Jet    *jet;            /* [nv] of the positions, where state is GRADIENT_KNOWN */
+	Stars   stars;          /* this and all below: for SAMPLER_SMOOTH only */
+	Jet    *jet;            /* [nv] jets of the positions, set where state is GRADIENT_KNOWN */
 	unsigned char *state;   /* [nv] 0, or a state of gradient.h */
-	const Subdivision *overlay;     /* of sampler_overlay, or NULL; the rest is for it */
+	const Subdivision *overlay;     /* of sampler_overlay, or NULL; all below is for it */
 	Locator under;
 	int    *face;           /* [overlay->d.m.nf] the triangle of the mesh that each of the overlay lies in */
-	double *smooth;         /* [overlay->d.m.nv] 1 where the smooth surface is used, 0 where the facets
-	                         * are, linear between vertices; its first numbers are those of
-	                         * the vertices of l.m */
+	double *smooth;         /* [overlay->d.m.nv] weight of the smooth surface, linear between
+	                         * vertices: 1 there, 0 where the facets are used; the first
+	                         * numbers are those of the vertices of l.m */
 } Sampler;
 
 /* d mapped by u, v onto [0,1] x [0,T]; all three must outlive s.  Returns 0 or
@@ -33,24 +33,25 @@ typedef struct Sampler {
 int  sampler_init(Sampler *s, const Disk *d, const double *u, const double *v, double T, int surface);
 void sampler_free(Sampler *s);
 
-/* For a smooth surface some of whose triangles are turned over or flat in (u,v), although the map
- * of the surface itself is one to one: the straight image of a thin triangle need not be near its
- * true one.  Near these triangles the facets are sampled instead, by a finer disk of the
- * same surface, none of whose triangles is turned.  The change is gradual, from vertex to vertex.
+/* For SAMPLER_SMOOTH if some triangles are turned over or flat in (u,v).  This happens although the
+ * map of the surface is one to one, because the straight edges in (u,v) of a thin triangle may be
+ * far from the true, curved ones.  Near such triangles the facets are sampled instead, located in a
+ * subdivision of the same surface none of whose triangles is turned over.  The weight of the smooth
+ * surface is given at the vertices and linear between them.
  *
  * o, u, v   a subdivision of the disk of sampler_init and its map; they must outlive s.
  *
  * Returns 0 or SAMPLER_ENOMEM; s is to be freed in both cases. */
 int  sampler_overlay(Sampler *s, const Subdivision *o, const double *u, const double *v);
 
-/* phi (11) at every node of g (24); (x,y) is the place of each node (23) in the chart of the
- * mesh; all [nv][nu].  Computes the jets that it needs and keeps them in s, so it must not run
- * in several threads at once.  Returns 0 or SAMPLER_ENOMEM. */
+/* Sets phi (11) at every node of g (24).  (x,y) are the coordinates of each node (23) in the chart
+ * of the mesh.  All arrays are [nv][nu].  The jets needed are computed and kept in s, so this must
+ * not be called by several threads at once.  Returns 0 or SAMPLER_ENOMEM. */
 int  sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double *const phi[3]);
 
-/* A channel of the mesh at the same nodes, interpolated in the same way: linear, or C1 and cubic.
- * out[k] is component k of its c->n.  Each component f is sampled as the surface (f, a u, a v),
- * a the range of f, so that the limits of gradient.h and clough.h prevent overshooting at a jump.
+/* Samples a channel of the mesh at the same nodes in the same way: linear, or C1 and cubic.
+ * out[k] is component k of c->n.  Each component f is sampled as the surface (f, a u, a v), where a
+ * is the range of f, so that the limits of gradient.h and clough.h prevent overshoots at a jump.
  *
  * c        in   at the vertices of the disk of sampler_init
  * out      out  [c->n], each [nv][nu] */

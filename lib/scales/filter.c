@@ -4,7 +4,7 @@
 
 #include "filter.h"
 
-/* x is the filtered field, f or log f; C its coefficients, a their moduli. */
+/* x is the field to filter, f or log f; C are its coefficients, a their moduli. */
 typedef struct Waves {
 	double         *x, *a;
 	double complex *C;
@@ -39,7 +39,7 @@ waves_init(Spectrum s, int logarithm, const double *f, Waves *w)
 	return e;
 }
 
-/* The modulus |C| that counts as one percent in FILTER_PERCENT. */
+/* The modulus |C| that corresponds to one percent in FILTER_PERCENT. */
 static double
 one_percent(Spectrum s, int logarithm, const Waves *w)
 {
@@ -83,7 +83,8 @@ larger_first(const void *x, const void *y)
 	return r->q > t->q ? 1 : -1;
 }
 
-/* What a coefficient adds to the sum that a rule bounds, the number of coefficients or their energy. */
+/* What a coefficient contributes to the sum that the rule bounds: the number of coefficients for
+ * FILTER_KEEP, the energy without the mean for FILTER_ENERGY. */
 static double
 sum_term(Spectrum s, FilterRule rule, const Ranked *r)
 {
@@ -94,7 +95,8 @@ sum_term(Spectrum s, FilterRule rule, const Ranked *r)
 	return r->q ? weight*r->a*r->a : 0;
 }
 
-/* *bound in: the sum to reach; out: the modulus of the last coefficient needed to reach it. */
+/* Adds up the coefficients from the largest on, until the sum reaches *bound (for FILTER_ENERGY,
+ * *bound times the sum of all).  Replaces *bound by the modulus of the last coefficient added. */
 static int
 modulus_bound(Spectrum s, FilterRule rule, const double *a, double *bound)
 {
@@ -119,8 +121,8 @@ modulus_bound(Spectrum s, FilterRule rule, const double *a, double *bound)
 	return 0;
 }
 
-/* Replaces the moduli by minus the wave numbers, and the bound by minus itself: long waves are
- * kept. */
+/* Replaces the moduli by the negative wave numbers and changes the sign of the bound: keeping
+ * values >= the bound then keeps the long waves. */
 static void
 rank_by_wave(Spectrum s, double *a, double *bound)
 {
@@ -131,8 +133,8 @@ rank_by_wave(Spectrum s, double *a, double *bound)
 	*bound = -*bound;
 }
 
-/* Drops the coefficients with a <= bound, or with a < bound if keep_equal.  Returns 1 if one of them
- * was not zero. */
+/* Sets the coefficients with a <= bound (a < bound if keep_equal) to 0, except C_00.  *kept is the
+ * number of others, of nu nv.  Returns 1 if a coefficient has changed. */
 static int
 drop(Spectrum s, double complex *C, const double *a, double bound, int keep_equal, size_t *kept)
 {

@@ -6,18 +6,18 @@
 
 enum { FILTER_ENOMEM = -1 };
 
-/* The coefficients that are kept; C_00, the mean, always is. */
+/* Which coefficients are kept.  C_00, the mean, is always kept. */
 typedef enum FilterRule {
 	FILTER_PERCENT,         /* |C|/(nu nv rms) x 100 > bound, rms the root mean square of f
 	                         * (of log f minus its mean, if log): such a bound has the
-	                         * same meaning for lambda and H, any unit of length and any
-	                         * size of grid (doc/mathematics.md 5.2) */
+	                         * same meaning for lambda and H, for every unit of length and
+	                         * every grid size (doc/mathematics.md 5.2) */
 	FILTER_RAW,             /* |C| > bound, exactly as in (32) */
-	FILTER_KEEP,            /* the `bound` largest in modulus, of nu nv, and those equal to
-	                         * the last; a conjugate pair counts as two and is kept or
-	                         * dropped together */
-	FILTER_ENERGY,          /* the largest in modulus, until they hold `bound` of the sum of
-	                         * |C|^2 without the mean; 1 keeps all */
+	FILTER_KEEP,            /* the `bound` largest in modulus of all nu nv, and any others
+	                         * equal to the smallest of these; a conjugate pair counts as
+	                         * two coefficients, both kept or both dropped */
+	FILTER_ENERGY,          /* the fewest, largest first, whose sum of |C|^2 is at least
+	                         * `bound` (0..1) times that of all, the mean not counted */
 	FILTER_LOWPASS          /* wave number <= bound, in cycles per unit of u */
 } FilterRule;
 
@@ -32,7 +32,7 @@ typedef struct Filter {
  * Returns 1 if f has changed, 0 if not, or FILTER_ENOMEM. */
 int filter_field(Spectrum s, const Filter *by, double *f, size_t *kept);
 
-/* Sets out[spectrum_size(s)] to |C| in the percent of FILTER_PERCENT; to 0 if the rms is 0.
+/* Sets out[spectrum_size(s)] to |C| in percent, as in FILTER_PERCENT, or to 0 if the rms is 0.
  * Returns 0 or FILTER_ENOMEM. */
 int filter_percent(Spectrum s, int logarithm, const double *f, double *out);
 

@@ -7,7 +7,8 @@
 
 #include <fftw3.h>
 
-/* The same alignment in every run: FFTW's plan depends on it. */
+/* Memory with a fixed alignment.  FFTW's plan depends on the alignment, so it is the same in all
+ * runs. */
 static void *
 aligned(size_t bytes)
 {
@@ -42,7 +43,8 @@ spectrum_wave(Spectrum s, size_t q)
 	return hypot(m/(half*s.g.nu*chart_h(s.g)), n/(half*s.g.nv*chart_k(s.g)));
 }
 
-/* FFTW's REDFT10 is 4 sum f cos cos, so C = e_m e_n REDFT10 with e_0 = 1/2, other e = 1/sqrt 2. */
+/* FFTW's REDFT10 computes 4 sum f cos cos.  So C_mn = e_m e_n REDFT10, where e_0 = 1/2 and all
+ * other e_k = 1/sqrt 2. */
 static double
 dct_norm(Spectrum s, size_t q)
 {

@@ -6,9 +6,9 @@
  *   dft  C_mn = sum f_ij exp(-2 pi i (m i/nu + n j/nv)): f is extended
  *        periodically; it is real, so the columns 0 <= m <= nu/2 suffice    (16)-(19)
  *
- * by FFTW.  In both C_00 = sum f, and sum |C|^2 = nu nv sum f^2 over all nu nv coefficients, so
- * a bound on |C| has the same meaning in both (doc/mathematics.md 5.1).  C is [nv][columns]; the
- * imaginary parts of the dct are 0.
+ * Both are computed by FFTW.  In both, C_00 = sum f, and the sum of |C|^2 over all nu nv
+ * coefficients is nu nv sum f^2.  So a bound on |C| has the same meaning in both
+ * (doc/mathematics.md 5.1).  C is stored as [nv][columns]; in the dct its imaginary parts are 0.
  */
 #ifndef SPECTRUM_H
 #define SPECTRUM_H
@@ -22,7 +22,7 @@ enum { SPECTRUM_ENOMEM = -1 };
 
 typedef enum SpectrumBasis { SPECTRUM_DCT, SPECTRUM_DFT } SpectrumBasis;
 
-/* The space of coefficients of fields f[nv][nu] on a chart. */
+/* The basis and the chart of the transforms of fields f[nv][nu]. */
 typedef struct Spectrum {
 	SpectrumBasis basis;
 	Chart         g;
@@ -34,22 +34,22 @@ int spectrum_columns(Spectrum s);
 /* Number of coefficients in C: columns times nv. */
 size_t spectrum_size(Spectrum s);
 
-/* How many of the nu nv coefficients an entry of column m of C stands for: 2 for a conjugate pair of
- * the dft of which C holds only one, 1 for all others. */
+/* How many of the nu nv coefficients an entry in column m of C represents: 2 where C holds only one
+ * coefficient of a conjugate pair of the dft, else 1. */
 int spectrum_weight(Spectrum s, int m);
 
-/* The wave number of coefficient q of C: cycles per unit of u, in any direction of (u,v),
+/* The wave number of coefficient q of C, in cycles per unit of u along the direction of the wave:
  *
  *   dct  |( m/(2 nu h), n/(2 nv k) )|
  *   dft  |( m/(nu h), n/(nv k) )|, with n - nv in place of n where that is nearer to 0 */
 double spectrum_wave(Spectrum s, size_t q);
 
-/* Return 0 or SPECTRUM_ENOMEM. */
+/* The transform of f[nv][nu] and its inverse.  Both return 0 or SPECTRUM_ENOMEM. */
 int spectrum_forward(Spectrum s, const double *f, double complex *C);
 int spectrum_inverse(Spectrum s, const double complex *C, double *f);
 
-/* modulus = |C|.  In the columns 0 and nu/2 of the dft both coefficients of a conjugate pair are in C.
- * They get the same modulus, without rounding differences, so that a bound keeps or drops both. */
+/* Sets modulus = |C|.  In the columns 0 and nu/2 of the dft C holds both coefficients of a
+ * conjugate pair.  Both get exactly the same modulus, so that a bound keeps or drops both. */
 void spectrum_moduli(Spectrum s, const double complex *C, double *modulus);
 
 #endif

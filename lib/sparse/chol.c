@@ -1,4 +1,4 @@
-/* chol.c - symbolic factorization: which columns form a supernode, and its rows. */
+/* chol.c - symbolic factorization: finds the supernodes and their rows. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -6,15 +6,17 @@
 #include "etree.h"
 #include "front.h"
 
-enum { FEW = 16 };      /* most columns of a small node */
+enum { FEW = 16 };      /* the most columns of a node that counts as small */
 
-/* A supernode under construction: its columns, from `first` on, rows below them, and explicit zeros. */
+/* A supernode under construction: its first column, and the numbers of its columns, of rows below
+ * them, and of stored zeros. */
 typedef struct Node {
 	int    first, columns, rows;
 	double zeros;
 } Node;
 
-/* Node a joined with b, its parent, whose columns come directly after its own. */
+/* The node that results if a is merged with its parent b.  The columns of b directly follow those
+ * of a. */
 static Node
 merge(const Node *a, const Node *b)
 {
@@ -24,8 +26,9 @@ merge(const Node *a, const Node *b)
 	return m;
 }
 
-/* Whether the merged node m is better than its two parts.  Merging stores explicit zeros, but saves
- * the overhead of a node: a small share of zeros is accepted, and a larger one in small nodes. */
+/* Whether the merged node m is better than its two parts.  Merging stores some zeros, but saves the
+ * overhead of a node.  So a small fraction of zeros is accepted, and a larger one in small
+ * nodes. */
 static int
 worth_merging(const Node *m)
 {
@@ -84,9 +87,10 @@ store_nodes(Chol *c, const Node *node, int nodes)
 	return 0;
 }
 
-/* The rows below each node, in ascending order.  For each entry of row p, p is added to the node of the
- * entry's column and to its ancestors below the node of p.  mark and node are [n] scratch: the last
- * row added to a node, and the node of each column.  end[s] is where the rows of node s end so far. */
+/* Finds the rows below each node, in ascending order.  For each entry of the matrix in row p, p is
+ * added to the node of the entry's column and to the ancestors of that node, up to the node of p,
+ * excluded.  mark and node are [n] scratch: the last row added to a node, and the node of each
+ * column.  end[s] is where the rows of node s end so far. */
 static void
 find_rows(Chol *c, const Etree *t, int *mark, int *node, size_t *end)
 {

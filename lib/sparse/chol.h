@@ -2,7 +2,7 @@
  * of elimination.
  *
  * For a torus patch of 1 M vertices, in the order of order.h, the factor has 49 M entries and takes
- * 19 gigaflops; 66 M numbers are stored, with explicit zeros and padding. */
+ * 19e9 floating-point operations; 66 M numbers are stored, with zeros and padding. */
 #ifndef CHOL_H
 #define CHOL_H
 
@@ -24,7 +24,7 @@ typedef struct Chol {
 	int     n, nodes;
 	int    *order, *place;  /* [n] vertex of a column, column of a vertex */
 	int    *first;          /* [nodes+1] */
-	int    *parent;         /* [nodes] the node of the first row below, -1 if there is none */
+	int    *parent;         /* [nodes] node of the first row below, -1 if none */
 	size_t *below;          /* [nodes+1] */
 	int    *row;
 	size_t *at;             /* [nodes+1] where the node's panel begins in value */
@@ -34,15 +34,16 @@ typedef struct Chol {
 /* order   in   [g->n] a fill-reducing order, order[0] eliminated first
  *
  * g must live as long as c.  Returns 0 or CHOL_ENOMEM; c must be freed in both cases.
- * chol_bytes(c) is the size of the factor in bytes, 0 if that is not known yet. */
+ * chol_bytes(c) is the size of the factor in bytes, 0 if it has not been computed. */
 int  chol_init(Chol *c, const Graph *g, const int *order);
 void chol_free(Chol *c);
 
 double chol_bytes(const Chol *c);
 
-/* A matrix on the graph: diagonal[i], and off[k] for the edge to the neighbour g->adj[k], equal at
- * both ends of an edge.  Where held[i] is not 0, the row and the column of vertex i are those of
- * the identity; held may be NULL. */
+/* A symmetric matrix on the graph.  diagonal[i] is the entry of vertex i on the diagonal, off[k]
+ * the entry of the edge to the neighbour g->adj[k]; both directions of an edge have the same entry.
+ * Where held[i] is not 0, the row and the column of vertex i are those of the identity.  held may
+ * be NULL. */
 typedef struct CholMatrix {
 	const double *diagonal, *off;
 	const unsigned char *held;

@@ -28,14 +28,14 @@ find_row(const int *row, int n, int p)
 	return low;
 }
 
-/* Row i of the panel, at its column 0. */
+/* The entry of row i of the panel in column 0. */
 static inline double *
 panel_row(const Front *f, int i)
 {
 	return f->panel + front_panel(f, i/PRODUCT_ROWS) + i%PRODUCT_ROWS;
 }
 
-/* Row r below the columns, at column 0. */
+/* The entry in column 0 of row r below the eliminated rows. */
 static inline double *
 below_row(const Front *f, int r)
 {
@@ -99,8 +99,8 @@ map_rows(const Chol *c, int child, int s, const Front *f, int *to)
 	to[n] = -f->rows;
 }
 
-/* Adds columns j .. end-1 of up to eight rows of a child's update, from row `first` on, to the rows
- * `row` of its parent. */
+/* Adds columns j .. end-1 of up to eight rows of a child's update, from row `first` on, to the
+ * corresponding rows row[] of its parent. */
 static inline void
 scatter(double *const row[], int rows, const double *from, const int *to, int j, int end, int first)
 {
@@ -115,8 +115,8 @@ scatter(double *const row[], int rows, const double *from, const int *to, int j,
 	}
 }
 
-/* Adds a child's update of n rows to front f, its rows mapped by `to`; the first `here` of them
- * are columns of f. */
+/* Adds a child's update of n rows to front f.  `to` maps its rows, see map_rows; the first `here`
+ * of them are among the columns of f. */
 static void
 add_update(const Front *f, const double *update, const int *to, int n, int here)
 {
@@ -166,8 +166,9 @@ add_products(double *sum, const double *a, const double x[PRODUCT_ROWS], int n)
 			sum[i] += a[i]*x[i];
 }
 
-/* Back substitution at the columns of row block J, into z.  sum has the terms of all rows after
- * them; the terms of row block J are added to the sums of the columns before. */
+/* Back substitution for the columns of row block J; the results go into z.  On entry, sum has the
+ * terms of all later rows.  The terms of row block J are added to the sums of the earlier
+ * columns. */
 static void
 solve_block(const Front *f, int J, double *sum, double *z)
 {

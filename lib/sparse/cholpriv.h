@@ -18,14 +18,15 @@ chol_rows(const Chol *c, int s)
 /* The front of node s; its update is NULL. */
 Front chol_front(const Chol *c, int s);
 
-/* Fills the panel from the columns of the matrix and, in the last row, from b, [n] by vertex. */
+/* Fills the panel of node s with its columns of the matrix and, in the last row, with b.  b is [n],
+ * by vertex. */
 void chol_fill_panel(const Chol *c, const CholMatrix *a, const double *b, int s, const Front *f);
 
-/* Adds the update of a child to the front.  Returns 0 or CHOL_ENOMEM. */
+/* Adds the update of a child to the front f of node s.  Returns 0 or CHOL_ENOMEM. */
 int  chol_add_child(const Chol *c, int child, const double *update, int s, const Front *f);
 
-/* Back substitution: the solution z, [n] by column, at the columns of node s, from its values at
- * the rows below.  sum is scratch, eight numbers for each column of the node. */
+/* Back substitution: computes the solution z at the columns of node s from its values at the rows
+ * below.  z is [n], by column.  sum is scratch, eight numbers for each column of the node. */
 void chol_substitute(const Chol *c, int s, double *z, double *sum);
 
 #endif

@@ -21,10 +21,10 @@ typedef struct Run {
 	const Chol       *c;
 	const CholMatrix *a;
 	double           *x;            /* [n] by vertex */
-	double          **update;       /* [nodes] of each node until its parent is done, then NULL */
+	double          **update;       /* [nodes] of each node; NULL when its parent is done */
 	int              *child, *sibling;      /* [nodes] first child, next sibling; -1: none */
-	int              *pending;      /* [nodes] children that are not done; -1 in a subtree */
-	int              *root;         /* [roots] of the subtrees, nodes begin[root] .. root */
+	int              *pending;      /* [nodes] children not yet done; -1 in a subtree */
+	int              *root;         /* [roots] of the subtrees, whose nodes are begin[root] .. root */
 	int              *begin;        /* [nodes] the first node of the subtree of each node */
 	int               roots, nomemory, bad;
 } Run;
@@ -43,7 +43,7 @@ add_children(Run *r, int s, const Front *f)
 	return 0;
 }
 
-/* Computes the columns of node s of the factor, and its update. */
+/* Computes the columns of the factor that belong to node s, and the update of s. */
 static void
 eliminate(Run *r, int s)
 {
@@ -67,7 +67,8 @@ eliminate(Run *r, int s)
 	r->update[s] = f.update;
 }
 
-/* Node s is done: eliminates its parent if s was the last child to be done, and so on up the tree. */
+/* To be called when node s is done.  If s was the last child of its parent, eliminates the parent,
+ * and so on up the tree. */
 static void
 climb(Run *r, int s)
 {
@@ -127,8 +128,8 @@ substitute_all(const Run *r, double *z)
 	return nomemory ? CHOL_ENOMEM : 0;
 }
 
-/* Work of the subtree of each node: multiplications, and 1000 a node for overhead.  Entry [nodes] is
- * the total. */
+/* The work of the subtree of each node: the number of multiplications, plus 1000 for each node as
+ * overhead.  Entry [nodes] is the total. */
 static double *
 count_work(const Chol *c)
 {
@@ -165,7 +166,8 @@ link_children(Run *r)
 		}
 }
 
-/* The subtrees: the largest ones with at most their share of the work, and leaves with more. */
+/* Chooses the subtrees: the largest ones with at most 1/SUBTREES of the work, and single leaves
+ * with more. */
 static int
 choose_subtrees(Run *r)
 {

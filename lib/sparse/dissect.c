@@ -1,7 +1,7 @@
 /* dissect.c - nested dissection of a rectangle. */
 #include "dissect.h"
 
-enum { LEAF = 8 };      /* a rectangle of at most so many nodes is not divided */
+enum { LEAF = 8 };      /* a rectangle of at most this many nodes is not divided */
 
 typedef struct Dissection {
 	int  nu, fields;
@@ -19,7 +19,7 @@ append(Dissection *d, int i0, int i1, int j0, int j1)
 				*d->next++ = (j*d->nu + i)*d->fields + f;
 }
 
-/* Orders the nodes i0 <= i < i1, j0 <= j < j1. */
+/* Appends the nodes i0 <= i < i1, j0 <= j < j1 to the order. */
 static void
 order_rectangle(Dissection *d, int i0, int i1, int j0, int j1)
 {

@@ -3,8 +3,8 @@
 #ifndef DISSECT_H
 #define DISSECT_H
 
-/* order[0 .. nu*nv*fields-1]: unknowns (j*nu + i)*fields + f in the order in which to
- * eliminate them.  A line of nodes across the longer side comes after the two halves that it
+/* Sets order[0 .. nu*nv*fields-1] to the unknowns (j*nu + i)*fields + f in the order in which they
+ * are to be eliminated.  A line of nodes across the longer side comes after the two halves that it
  * separates. */
 void dissect(int nu, int nv, int fields, int *order);
 

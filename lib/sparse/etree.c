@@ -1,8 +1,9 @@
-/* etree.c - the elimination tree, row by row: from each entry up to the first column already visited.
+/* etree.c - builds the elimination tree row by row.  From each entry of a row it goes up the tree
+ * to the first column already visited in this row.
  *
  * T. A. Davis, Direct Methods for Sparse Linear Systems (2006), chapter 4.  Every entry of L is
- * visited once.  The skeleton of L would suffice, but that code is three times as long, and this
- * takes a tenth of the time of the factorization.
+ * visited once.  It would suffice to visit the skeleton matrix, but that needs three times as much
+ * code, and this takes only a tenth of the time of the factorization.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -73,10 +74,10 @@ find_parents(Etree *t)
 	}
 }
 
-/* Sets to[p], the place of column p in a postorder where the child with the longest column comes
- * directly before its parent.  Scratch, [n+1] with the root of all trees as column n: longest[p] is
- * that child, size[p] is the number of columns in the subtree of p, and end[p] is the place after the
- * subtree of the next of its other children. */
+/* Sets to[p] to the place of column p in a postorder in which the child with the longest column
+ * comes directly before its parent.  The others are scratch, [n+1], with a common root of all trees
+ * as column n: longest[p] is the child with the longest column, size[p] is the number of columns in
+ * the subtree of p, and end[p] is where the subtree of the next of the other children of p ends. */
 static void
 postorder(const Etree *t, int *to, int *longest, int *size, int *end)
 {

@@ -26,7 +26,8 @@ tile(const Front *f, int I, int J)
 	return f->update + front_update(I - f->pivots) + PRODUCT_ROWS*PRODUCT_ROWS*(J - f->pivots);
 }
 
-/* In tile (I,J), and if n is 2 in (I+1,J), subtracts the products of tile columns `from` .. `to`-1. */
+/* Subtracts the products of tile columns `from` .. `to`-1 from tile (I,J) and, if n is 2, from
+ * (I+1,J). */
 static void
 subtract(const Front *f, int I, int n, int J, int from, int to)
 {
@@ -77,7 +78,8 @@ factor_triangle(const Front *f, int from, int to)
 	return bad;
 }
 
-/* Computes the factor in the same columns of row blocks I .. I+n-1, further down. */
+/* Computes the factor in tile columns `from` .. `to`-1 of the row blocks I .. I+n-1, with I >=
+ * to. */
 static void
 divide_below(const Front *f, int I, int n, int from, int to)
 {
@@ -90,7 +92,8 @@ divide_below(const Front *f, int I, int n, int from, int to)
 	}
 }
 
-/* In all later columns of n row blocks, subtracts the products of tile columns `from` .. `to`-1. */
+/* Subtracts the products of tile columns `from` .. `to`-1 from all later columns of the row blocks
+ * I .. I+n-1. */
 static void
 subtract_group(const Front *f, int I, int n, int from, int to)
 {

@@ -1,7 +1,8 @@
 /* front.h - elimination of some columns of a dense symmetric matrix.  Private to lib/.
  *
  * A front has `columns` rows and columns that are eliminated, and `rows` rows below them.  Both
- * groups of rows start with a new row block (product.h); their last row blocks are filled up with 0.
+ * groups of rows start with a new row block (product.h); their last row blocks are filled up with
+ * 0.
  *
  *   panel    the eliminated columns; row block I holds those up to its last row
  *   update   the lower right part; row block A of it holds the columns 0 .. 8*A+7

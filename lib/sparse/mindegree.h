@@ -1,4 +1,5 @@
-/* mindegree.h - a fill-reducing order of a graph by approximate minimum degree.  Private to lib/. */
+/* mindegree.h - a fill-reducing order of a graph by approximate minimum degree.  Private to
+ * lib/. */
 #ifndef MINDEGREE_H
 #define MINDEGREE_H
 

@@ -21,7 +21,7 @@
 #include "vertexcut.h"
 
 enum {
-	LEAF = 64,              /* a piece of at most so many vertices is not split; a bit each */
+	LEAF = 64,              /* a piece of at most LEAF vertices is not split */
 	TASK = 4096             /* a piece with more vertices is a task */
 };
 
@@ -31,8 +31,9 @@ degree(const Graph *g, int i)
 	return g->first[i+1] - g->first[i];
 }
 
-/* Minimum degree on bit sets: near[i] has the remaining neighbours of i in the piece, outer[i] is the
- * number of those outside, which are only counted, and cost[i] is the sum of both numbers. */
+/* Orders a small piece by minimum degree, with bit sets.  near[i] is the set of the remaining
+ * neighbours of i in the piece, outer[i] the number of its neighbours outside the piece, and
+ * cost[i] the number of both. */
 static void
 order_leaf(const Piece *p, const Graph *whole)
 {

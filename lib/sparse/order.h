@@ -8,8 +8,8 @@
 
 enum { ORDER_ENOMEM = -1 };
 
-/* A symmetric graph without loops or double edges, connected or not.  The neighbours of vertex i are
- * adj[first[i]] .. adj[first[i+1]-1]. */
+/* A symmetric graph without loops or double edges, connected or not.  The neighbours of vertex i
+ * are adj[first[i]] .. adj[first[i+1]-1]. */
 typedef struct Graph {
 	int  n;
 	int *first;             /* [n+1] */
@@ -18,8 +18,8 @@ typedef struct Graph {
 
 /* order   out  [n] vertex order[0] is eliminated first
  *
- * Memory: at most 14 numbers for each edge.  Time: n log n.  The order is the same for any number of
- * threads.  Returns 0 or ORDER_ENOMEM. */
+ * Takes memory for at most 14 numbers for each edge, and time of order n log n.  The order is the
+ * same for any number of threads.  Returns 0 or ORDER_ENOMEM. */
 int order_graph(const Graph *g, int *order);
 
 #endif

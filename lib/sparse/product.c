@@ -1,8 +1,9 @@
 /* product.c - two inner loops, in blocks that fit the registers.
  *
- * In C with the compiler's vector types instead of a BLAS: most products in a sparse factor have so
- * few columns that a call of the BLAS would take longer than the product; OpenBLAS 0.3.21 treats
- * processors newer than itself as those of 2004; and its threads wait by spinning.
+ * They are written in C with the compiler's vector types and use no BLAS, for three reasons.  Most
+ * products in a sparse factor have so few columns that the call would take longer than the product.
+ * OpenBLAS 0.3.21 treats processors newer than itself as those of 2004.  Its threads wait by
+ * spinning.
  */
 #include "../base/cpu.h"
 #include "product.h"

@@ -49,7 +49,8 @@ compress(Spd *a, cholmod_common *c)
 	return A;
 }
 
-/* The outcome of the last call, from Common->status: CHOLMOD's return values do not tell all. */
+/* The error code of the last call of CHOLMOD.  It is taken from Common->status, since CHOLMOD's
+ * return values do not report all failures. */
 static int
 status(const cholmod_common *c, const cholmod_factor *L, SpdReport *r)
 {
@@ -92,7 +93,7 @@ start(Work *w)
 	cholmod_start(&w->c);
 	w->c.print = 0;
 	w->c.nmethods = 1;
-	w->c.final_ll = 1;              /* L D L' would accept a negative pivot */
+	w->c.final_ll = 1;              /* L L': L D L' would accept a negative pivot */
 }
 
 /* ordering is one of CHOLMOD's methods; order is used with CHOLMOD_GIVEN only. */
@@ -126,7 +127,7 @@ solve(Work *w, cholmod_sparse *A, int nrhs, double *B)
 	cholmod_free_factor(&w->L, &w->c);
 }
 
-/* OpenBLAS's functions for its number of threads; NULL if the process has loaded another BLAS. */
+/* OpenBLAS's functions that set and get its number of threads; NULL if the BLAS is another one. */
 typedef struct Blas {
 	void (*set)(int);
 	int  (*get)(void);
@@ -146,9 +147,9 @@ openblas(void)
 	return b;
 }
 
-/* The settings that are restored after CHOLMOD has run on one thread.  With more, the BLAS would not
- * give equal bits, and CHOLMOD's own loops over blocks would be slower, as their four threads mostly
- * wait (factor of 1 M vertices, METIS order, 2 cores: 5.3 s with them, 2.6 s without). */
+/* The settings that are restored after CHOLMOD has run on one thread.  With more, the BLAS would
+ * not give equal bits, and CHOLMOD's own loops over blocks would be slower, as their four threads
+ * mostly wait (factor of 1 M vertices, METIS order, 2 cores: 5.3 s with them, 2.6 s without). */
 typedef struct Threads {
 	Blas openblas;
 	int  blas, levels;

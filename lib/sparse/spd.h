@@ -7,7 +7,7 @@
 enum {
 	SPD_ENOMEM = -1,        /* report.bytes is the size of the factor */
 	SPD_EINDEFINITE = -2,   /* not positive definite; report.column is the first bad pivot */
-	SPD_ELARGE = -3         /* more entries than CHOLMOD's int can count */
+	SPD_ELARGE = -3         /* more entries than an int, as CHOLMOD uses it, can count */
 };
 
 /* A matrix under construction: entries in any order, from the lower or the upper triangle, each
@@ -28,7 +28,7 @@ typedef struct SpdReport {
 int  spd_init(Spd *a, int n, size_t room);
 void spd_free(Spd *a);
 
-/* a(i,j) += x; at most `room` times. */
+/* a(i,j) += x.  May be called at most `room` times. */
 static inline void
 spd_add(Spd *a, int i, int j, double x)
 {
@@ -48,13 +48,13 @@ int spd_solve(Spd *a, const int *order, int nrhs, double *B, SpdReport *report);
 typedef struct SpdFactor SpdFactor;
 
 /* n, column, row describe the lower triangle in compressed columns: those of column j are
- * row[column[j]] .. row[column[j+1]-1], in rising order, the diagonal first.  The arrays must live as
- * long as the factor.  NULL if there is no memory. */
+ * row[column[j]] .. row[column[j+1]-1], in rising order, the diagonal first.  The arrays must live
+ * as long as the factor.  Returns NULL if memory runs out. */
 SpdFactor *spd_factor_new(int n, int *column, int *row);
 void       spd_factor_free(SpdFactor *f);
 
-/* Factors the matrix with the given numbers, in the order of row.  Returns 0, SPD_ENOMEM, SPD_ELARGE or
- * SPD_EINDEFINITE; after a failure f may be set again, but not solved with. */
+/* Factors the matrix with the given numbers, in the order of row.  Returns 0, SPD_ENOMEM,
+ * SPD_ELARGE or SPD_EINDEFINITE; after a failure f may be set again, but not solved with. */
 int spd_factor_set(SpdFactor *f, double *value);
 
 /* b = A^-1 b.  Returns 0 or SPD_ENOMEM.  Equal bits for equal input, as above. */

@@ -10,8 +10,8 @@
  * and those of f1 + f2 and f1 - f2 along the sides.  Of these four functions, the one whose median
  * level crosses the fewest edges is used.  The vertices near that level form a band that separates
  * the rest, and vertexcut.c finds the smallest separator within the band.  The two parts keep f1
- * and f2 until they are AGAIN times smaller, or have no small separator; distances kept longer describe
- * the parts of combs, spirals and rough surfaces badly.
+ * and f2 until they are AGAIN times smaller, or have no small separator; distances kept longer
+ * describe the parts of combs, spirals and rough surfaces badly.
  */
 #include <math.h>
 #include <stdint.h>
@@ -23,15 +23,16 @@
 enum {
 	BAND = 2,               /* about how many edges the band reaches to either side */
 	AGAIN = 4,
-	LARGE = 3,              /* a small separator has up to LARGE sqrt(n) vertices; sqrt(n) is usual */
-	HUB = 24,               /* a vertex is a hub if it has more neighbours than HUB.. */
-	HUB_SHARE = 4,          /* ..and than sqrt(n)/HUB_SHARE */
-	SAMPLE = 1024,          /* vertices that suffice to find a level and its cost.. */
-	STRIDE = 16             /* ..but at least one in so many, in large pieces */
+	LARGE = 3,              /* a separator of up to LARGE sqrt(n) vertices is small */
+	HUB = 24,               /* a hub is a vertex with more than HUB neighbours.. */
+	HUB_SHARE = 4,          /* ..and more than sqrt(n)/HUB_SHARE */
+	SAMPLE = 1024,          /* this many vertices suffice to find a level and its cost.. */
+	STRIDE = 16             /* ..but at least one in STRIDE is used */
 };
 
-/* Distances in edges from vertex a to all vertices that it reaches through vertices of dist -1.
- * Returns their number m; queue[m-1] is one of the farthest. */
+/* Sets dist to the distance in edges from vertex a, for all vertices reached from a through
+ * vertices whose dist is -1.  Returns the number m of vertices reached; queue[m-1] is one of the
+ * farthest. */
 static int
 breadth_first(const Graph *g, int a, int *dist, int *queue)
 {
@@ -64,8 +65,8 @@ components(const Graph *g, int *dist, int *queue, int *last)
 	return tail;
 }
 
-/* f[2*i] = dist(i, a) - dist(i, b), where b is a vertex farthest from a; sum[i], if not NULL, is the
- * sum of the two.  work is [2*n].  g is connected. */
+/* f[2*i] = dist(i, a) - dist(i, b), where b is a vertex farthest from a; sum[i], if not NULL, is
+ * the sum of the two.  work is [2*n].  g is connected. */
 static void
 coordinate(const Graph *g, int a, int *f, int *sum, int *work)
 {
@@ -85,7 +86,7 @@ coordinate(const Graph *g, int a, int *f, int *sum, int *work)
 	}
 }
 
-/* Sets f1 and f2; `far` is the vertex a. */
+/* Sets the coordinates f1 and f2 of p.  `far` is the vertex a. */
 static void
 coordinates(Piece *p, int far, int *work)
 {
@@ -131,8 +132,8 @@ median(const Piece *p, int which, int stride, int *count)
 }
 
 /* The cost of splitting at a level: the number of edges, at every stride-th vertex, that cross it.
- * If the band leaves less than an eighth of the vertices on a side, the cost is higher than any such
- * number, and highest where it leaves least. */
+ * If the band leaves less than an eighth of the vertices on a side, the cost is higher than any
+ * such number, and highest where it leaves least. */
 static int
 cost(const Piece *p, int which, int level, int width, int stride)
 {

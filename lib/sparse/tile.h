@@ -1,9 +1,9 @@
 /* tile.h - the inner loop of product.c for one vector length; product.c includes it once for each.
  * VECTOR is the type, TILE the name of the function.
  *
- * c(i,j) -= sum over k < n of a(i,k) b(j,k) for `count` vectors of rows i, each with its own a and c,
- * and `width` columns j, of which only the first `columns` are stored.  Every call gives constants
- * for count and width, so that the sums stay in registers. */
+ * c(i,j) -= sum over k < n of a(i,k) b(j,k) for `count` vectors of rows i, each with its own a and
+ * c, and `width` columns j, of which only the first `columns` are stored.  Every call gives
+ * constants for count and width, so that the sums stay in registers. */
 INLINE void
 TILE(int count, int width, int columns, int n, const double *const a[], const double *b,
 	double *const c[])

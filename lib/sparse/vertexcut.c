@@ -1,10 +1,10 @@
 /* vertexcut.c - the smallest vertex separator within a band, by augmenting paths.
  *
- * By Menger's theorem its size is the largest number of paths through the band that share no vertex.
- * Each vertex v is split into nodes in(v) = 2v and out(v) = 2v+1, joined by an edge that one path
- * may use.  Paths are added one by one; a new path may reroute parts of older ones.  All searches
- * of a round share their marks, so that a round visits the band once, and a few rounds find all
- * paths. */
+ * By Menger's theorem its size is the largest number of paths through the band that share no
+ * vertex.  Each vertex v is split into nodes in(v) = 2v and out(v) = 2v+1, joined by an edge that
+ * one path may use.  Paths are added one by one; a new path may reroute parts of older ones.  All
+ * searches of a round share their marks, so that a round visits the band once, and a few rounds
+ * find all paths. */
 #include "vertexcut.h"
 
 /* In next and prev: not on a path, end of the path.  In parent: not visited, start of a search. */

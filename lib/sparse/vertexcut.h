@@ -7,8 +7,8 @@
 enum { CUT_LEFT, CUT_RIGHT, CUT_SEPARATOR };
 
 /* side   in   CUT_SEPARATOR for the band: no edge joins a left vertex to a right one
- *        out  only a smallest set of band vertices that separates left from right remains the
- *             separator; the other band vertices join the side they are connected to
+ *        out  CUT_SEPARATOR only for a smallest set of band vertices that separates left from
+ *             right; the other band vertices are left or right
  * work   [6*n] scratch
  *
  * Cannot fail. */

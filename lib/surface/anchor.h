@@ -16,13 +16,13 @@ typedef struct Anchor {
 	double *at;             /* [n][3] */
 } Anchor;
 
-/* Takes the positions of the border nodes of phi [3][nv][nu], or of all if border is 0.  Returns 0 or
- * ANCHOR_ENOMEM; a then holds nothing to free. */
+/* Stores the positions of the border nodes of phi[3][nv][nu], or of all nodes if border is 0.
+ * Returns 0 or ANCHOR_ENOMEM; a then holds nothing to free. */
 int  anchor_init(Anchor *a, Chart g, int border, const double *phi);
 void anchor_free(Anchor *a);
 
-/* Moves phi rigidly so that these nodes come nearest to the positions taken (procrustes.h).
- * Returns 0, ANCHOR_ENOMEM or ANCHOR_EVALUE. */
+/* Moves phi rigidly so that these nodes are as near as possible to the stored positions
+ * (procrustes.h).  Returns 0, ANCHOR_ENOMEM or ANCHOR_EVALUE. */
 int anchor_place(const Anchor *a, Chart g, double *phi);
 
 #endif

@@ -72,7 +72,7 @@ residual(const CellSystem *s, double *y)
 		}
 }
 
-/* The number of node p among the free nodes, row by row; -1 if it is held. */
+/* The index of node p among the free nodes, counted row by row; -1 if p is held. */
 static int
 free_number(const CellSystem *s, int p)
 {
@@ -81,7 +81,7 @@ free_number(const CellSystem *s, int p)
 	return i < 0 || j < 0 || i >= nu || j >= s->g.nv - 2*s->held ? -1 : j*nu + i;
 }
 
-/* Adds the lower triangle of one cell's A'A to a, where both unknowns are free. */
+/* Adds to a those entries of the lower triangle of one cell's A'A whose unknowns are both free. */
 static void
 add_cell(const CellSystem *s, int i, int j, Spd *a)
 {

@@ -17,8 +17,8 @@ static const double SURE = 0.1;         /* a step below this share of the tolera
                                          * converged whatever E does */
 static const double POOR = 0.25;        /* if the decrease is below this share of the predicted one,
                                          * the step is shortened */
-enum { SHORTER = 3 };           /* how often a step is shortened at most */
-static const double CREEP = 5e-4;       /* least share of E by which ten steps must lower it */
+enum { SHORTER = 3 };           /* a step is shortened at most this often */
+static const double CREEP = 5e-4;       /* ten steps must lower E by at least this fraction */
 
 /* Outcome of a step. */
 typedef struct Outcome {
@@ -30,7 +30,7 @@ typedef struct Outcome {
 	int    spent;           /* CG reached its limit of steps */
 } Outcome;
 
-/* E at phi + t d, which is left in y. */
+/* E at phi + t d.  Stores phi + t d in k->y. */
 static double
 trial(FitSolve *k, const double *phi, double t)
 {
@@ -39,11 +39,11 @@ trial(FitSolve *k, const double *phi, double t)
 	return misfit_energy(k->m, k->y);
 }
 
-/* Step length along d, and E there.  The length is 1 if that lowers E by at least a quarter of the
- * predicted decrease.  Otherwise it is reduced, at most SHORTER times, to the minimum of the parabola
- * that has the values of E at both ends and the slope at the start, -2 <b,d>.  *predicted is set to
- * the predicted decrease for that length.  Near folds E rises early along d; backtracking here is ten
- * times cheaper than rediscovering that with another CG solve. */
+/* The step length along d; *E2 is E after the step.  The length is 1 if that lowers E by at least a
+ * quarter of the predicted decrease.  Otherwise it is reduced, at most SHORTER times, to the
+ * minimum of the parabola that has the values of E at both ends and the slope at the start, -2
+ * <b,d>.  *predicted is set to the predicted decrease for that length.  Near folds E rises early
+ * along d; backtracking here is ten times cheaper than rediscovering that with another CG solve. */
 static double
 step_length(FitSolve *k, const double *phi, double E, double bd, double *predicted, double *E2)
 {
@@ -93,8 +93,8 @@ step(FitSolve *k, double *phi, double *E)
 
 /* How far the weights may be sharpened: not at all if the metric error is 16 % or more, fully below
  * 8 %.  It is 0.05-3 % for surfaces, 7 % for whole hemispheres of the cortex, 8-13 % after a light
- * filter, 20 % after a filter that left only the coarse shape.  Rounded to eighths, so that rounding
- * differences in the start do not change the weights. */
+ * filter, 20 % after a filter that left only the coarse shape.  Rounded to eighths, so that
+ * rounding differences in the start do not change the weights. */
 static double
 sharpness(const Misfit *m, const double *phi)
 {
@@ -110,7 +110,7 @@ set_weights(Misfit *m, double share)
 	m->alpha = BLUNT_ALPHA*pow(SHARP_ALPHA/BLUNT_ALPHA, share);
 }
 
-/* The state before each of the last ten steps. */
+/* The values before each of the last ten steps. */
 typedef struct Past {
 	double E[TEN], moved[TEN];      /* E, and the sum of the changes of all steps before */
 	int    steps;
@@ -123,10 +123,11 @@ remember(Past *past, double E, double moved)
 	past->moved[past->steps++%TEN] = moved;
 }
 
-/* A shortened step says nothing about convergence, unless the last ten steps together barely lowered
- * E or barely moved: with data that belong to no surface, steps can creep for ever.  Nor does a step
- * only just below the tolerance while E is still falling fast.  If CG reached its limit of steps, it
- * may have missed slow components; then such a step counts only when E hardly falls any more. */
+/* A shortened step says nothing about convergence, unless the last ten steps together barely
+ * lowered E or barely moved: with data that belong to no surface, steps can creep for ever.  Nor
+ * does a step only just below the tolerance while E is still falling fast.  If CG reached its limit
+ * of steps, it may have missed slow components; then such a step counts only when E hardly falls
+ * any more. */
 static int
 converged(const FitOptions *o, const Outcome *is, double E, double moved, const Past *past)
 {

@@ -1,8 +1,9 @@
 /* fit.h - the surface of least misfit on one grid, by Gauss-Newton steps.
  *
- * Each step solves  J'J d = -J'r  by conjugate gradients, preconditioned by the plate
- * (plate.h), with the unresolved nodes solved directly (patch.h), and stopped at the border of a trust region (cg.h), whose radius is adapted to
- * the ratio of the actual to the predicted decrease of E.  doc/mathematics.md 6.4.
+ * Each step solves  J'J d = -J'r  by conjugate gradients, preconditioned by the plate (plate.h),
+ * with the unresolved nodes solved directly (patch.h), and stopped at the border of a trust region
+ * (cg.h), whose radius is adapted to the ratio of the actual to the predicted decrease of E.
+ * doc/mathematics.md 6.4.
  */
 #ifndef FIT_H
 #define FIT_H
@@ -24,7 +25,7 @@ typedef struct FitProgress {
 typedef struct FitOptions {
 	double tolerance;               /* converged when change is smaller */
 	int    most;                    /* steps at most */
-	double flat;                    /* converged when a step is predicted to lower E by a smaller share */
+	double flat;                    /* converged when the predicted decrease is below flat*E */
 	int    sharpen;                 /* adapt w and alpha to the data */
 	void (*report)(void *ctx, const FitProgress *at);       /* or NULL */
 	void  *ctx;

@@ -8,7 +8,7 @@
 #include "fit.h"
 #include "fitsolve.h"
 
-static const double TENSION = 3;        /* of the plate, over w^2; 3 takes the fewest steps */
+static const double TENSION = 3;        /* of the plate, divided by w^2; 3 needs the fewest steps */
 enum { MOST_CG = 60 };
 /* With a free boundary surfaces bend easily and far.  CG gets few steps, as more
  * would be spent on bending that the next Gauss-Newton step undoes.  It gets many if the last step
@@ -18,8 +18,8 @@ static const double WORTH_NEAR = 1e-6;
 static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a Gauss-Newton step */
 static const double WORTH = 1e-3;       /* least share of the decrease a CG step must add, */
 static const double WORTH_E = 0.1;      /* or least share of E, over the tolerance */
-/* The steps on a grid that do not deflate the patch: the first, whose start is interpolated, can lead to
- * another of several surfaces.  With residues only the last steps take many CG steps. */
+/* The steps on a grid that do not deflate the patch: the first, whose start is interpolated, can
+ * lead to another of several surfaces.  With residues only the last steps take many CG steps. */
 enum { PLAIN = 1, PLAIN_EXACT = 4 };
 
 void
@@ -76,8 +76,8 @@ precondition(void *work, const double *r, double *z)
 		k->error = FIT_ENOMEM;
 }
 
-/* Factors the matrix of the patch if this step deflates it.  A matrix that is not positive definite is
- * left to CG. */
+/* Factors the matrix of the patch if this step deflates it.  A matrix that is not positive definite
+ * is left to CG. */
 static void
 prepare_patch(FitSolve *k, const double *phi)
 {
@@ -92,8 +92,8 @@ prepare_patch(FitSolve *k, const double *phi)
 		k->error = FIT_ENOMEM;
 }
 
-/* Deflation: solves for d on the patch and updates r.  Returns the predicted decrease of E.  Its square
- * root stands for the length of d.  *out is set if that is the radius, where d then ends. */
+/* Deflation: solves for d on the patch and updates r.  Returns the predicted decrease of E.  Its
+ * square root stands for the length of d.  *out is set if that is the radius, where d then ends. */
 static double
 solve_patch(FitSolve *k, const double *phi, int *out)
 {

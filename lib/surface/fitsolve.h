@@ -1,7 +1,7 @@
 /* fitsolve.h - the linear system of a Gauss-Newton step.  Private to fit.
  *
- * J'J d = -J'r, by conjugate gradients preconditioned by the plate, in a trust region.  The unresolved
- * nodes are deflated (patch.h). */
+ * J'J d = -J'r, by conjugate gradients preconditioned by the plate, in a trust region.  The
+ * unresolved nodes are deflated (patch.h). */
 #ifndef FITSOLVE_H
 #define FITSOLVE_H
 
@@ -14,7 +14,8 @@ typedef struct FitSolve {
 	const double *phi;              /* the surface at which J is taken */
 	Plate   plate;
 	size_t  n;                      /* numbers in a vector */
-	double *r, *z, *p, *q, *d, *y;  /* residual, preconditioned, direction, J'J p; step, trial */
+	double *r, *z, *p, *q, *d, *y;  /* residual, preconditioned residual, direction,
+	                                 * J'J p, step, trial surface */
 	Patch   patch;
 	int     deflate;                /* the patch is solved directly in this step */
 	int     steps;                  /* Gauss-Newton steps before this one */
@@ -29,9 +30,9 @@ typedef struct FitSolve {
 int  fitsolve_init(FitSolve *k, Misfit *m);
 void fitsolve_free(FitSolve *k);
 
-/* Solves for the step d at phi, of energy E; the negative gradient is in r, which is overwritten.
- * Returns the predicted decrease of E; *length is |d| in the plate norm, *spent is set if CG reached its
- * limit of steps.  After a failure k->error is set. */
+/* Computes the step d at phi, where the energy is E.  On entry k->r is the negative gradient; it is
+ * overwritten.  Returns the predicted decrease of E.  *length is |d| in the norm of the plate;
+ * *spent is set if CG reached its limit of steps.  After a failure k->error is set. */
 double fitsolve(FitSolve *k, const double *phi, double E, double *length, int *spent);
 
 #endif

@@ -128,7 +128,7 @@ natural_frame(const void *ctx, int i, int j, CellRows *r)
 	term(s, r->A[5], 3, n, 0, lambda, 0);
 }
 
-/* phi from its derivatives.                                                          (31) */
+/* Equations for phi, given its derivatives.                                          (31) */
 static void
 position(const void *ctx, int i, int j, CellRows *r)
 {
@@ -167,7 +167,8 @@ node_of_band(Chart g, const double *const phi[3], int i, int j, double pqn[9], d
 	return 0;
 }
 
-/* The inner node of the fine grid nearest to node i of n, along one direction. */
+/* Along one direction, the inner node of the fine grid, of `fine` nodes, that is nearest to node i
+ * of n. */
 static int
 beside(int i, int n, int fine)
 {
@@ -176,14 +177,15 @@ beside(int i, int n, int fine)
 	return j < 1 ? 1 : j > fine - 2 ? fine - 2 : j;
 }
 
-/* Steps from node i of n to the nearer end. */
+/* Number of steps from node i of n to the nearer end. */
 static int
 from_end(int i, int n)
 {
 	return i < n - 1 - i ? i : n - 1 - i;
 }
 
-/* Frame and second form on one ring of nodes, read from the fine grid, which may be the same grid. */
+/* Frame and second form on one ring of nodes, read from the fine grid, which may be the same
+ * grid. */
 static int
 read_band(Given *s, int ring, Chart fine, double *const phi[3], int *at)
 {
@@ -204,8 +206,8 @@ read_band(Given *s, int ring, Chart fine, double *const phi[3], int *at)
 	return 0;
 }
 
-/* Replaces B = (p q) by lambda B (B'B)^(-1/2).  The inverse square root of a 2 x 2 matrix has a closed
- * form. */
+/* Replaces B = (p q) by lambda B (B'B)^(-1/2).  The inverse square root of a 2 x 2 matrix has a
+ * closed form. */
 void
 frame_make_conformal(double lambda, double p[3], double q[3])
 {
@@ -243,8 +245,8 @@ positions(const Given *s, int held, double *const phi[3], SpdReport *report)
 	return e;
 }
 
-/* Solves the three systems one after the other.  frame_held outer rings of the frame are given, and
- * phi_held of phi. */
+/* Solves the three systems one after the other.  The frame is given on the outer frame_held rings,
+ * phi on the outer phi_held rings. */
 static int
 solve(Given *s, int frame_held, int phi_held, double *const phi[3], SpdReport *report)
 {

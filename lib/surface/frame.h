@@ -1,4 +1,5 @@
-/* frame.h - the surface of a given lambda and H, by the paper's frame method (doc/mathematics.md 7).
+/* frame.h - the surface with given lambda and H, by the paper's frame method (doc/mathematics.md
+ * 7).
  *
  * Three linear least squares problems one after the other, all on cell centres:
  *
@@ -36,9 +37,9 @@ enum { FRAME_EBAND = -10 };     /* the band has no tangent plane at node *at */
 int frame_surface(Chart g, const double *lambda, const double *H, double *const phi[3],
 	int *at, SpdReport *report);
 
-/* The same on a coarser grid g: a start for the surface method (surface.h).  The border of phi holds
- * the boundary curve; frame and second form there are taken from the nearest nodes of the band of
- * the fine grid, to first order in the steps.  *at is a node of the fine grid.  Returns as
+/* The same on a coarser grid g: a start for the surface method (surface.h).  The border of phi
+ * holds the boundary curve; frame and second form there are taken from the nearest nodes of the
+ * band of the fine grid, to first order in the steps.  *at is a node of the fine grid.  Returns as
  * frame_surface. */
 int frame_coarse(Chart fine, double *const band[3], Chart g, const double *lambda, const double *H,
 	double *const phi[3], int *at, SpdReport *report);

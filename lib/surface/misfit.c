@@ -6,7 +6,7 @@
 #include "misfitborder.h"
 #include "misfitnode.h"
 
-static const double FINEST = 2;         /* H is clipped where n would turn more over a cell */
+static const double FINEST = 2;         /* H is clipped where n would turn by more over a cell */
 static const double BLUR = 1e-6;        /* smooths n where phi_u x phi_v is small, misfit.h */
 
 static double
@@ -89,7 +89,8 @@ misfit_free(Misfit *m)
 	memset(m, 0, sizeof *m);
 }
 
-/* Adds up the sums of the rows in a fixed order, so that the total does not depend on the threads. */
+/* Adds the sums of the rows in a fixed order, so that the total does not depend on the number of
+ * threads. */
 static double
 total(const Misfit *m, const double *row)
 {
@@ -102,7 +103,7 @@ total(const Misfit *m, const double *row)
 	return sum;
 }
 
-/* The contributions of the nodes of q to E. */
+/* Sets e to the contributions of the four nodes of q to E. */
 static void
 energy_of(const Misfit *m, const double *phi, const Quad *q, Nodes *e)
 {

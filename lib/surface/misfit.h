@@ -1,5 +1,5 @@
-/* misfit.h - the energy E of a surface for a given conformal factor and mean curvature, its gradient
- * and the matrix of its Gauss-Newton steps.  doc/mathematics.md 6.2, 6.3.
+/* misfit.h - the energy E of a surface for a given conformal factor and mean curvature, its
+ * gradient and the matrix of its Gauss-Newton steps.  doc/mathematics.md 6.2, 6.3.
  *
  *   E(phi) = sum over the inner nodes of
  *              o^2 ( <Delta phi, n> - 2 lambda^2 H )^2 / <lambda^2>              normal
@@ -7,21 +7,21 @@
  *         + w^2 o   ( |phi_u|^2 + |phi_v|^2 - 2 lambda^2 )^2 / (4 lambda^2 <lambda^2>)
  *         + w^2 o^2 ( (|phi_u|^2 - |phi_v|^2)^2/4 + <phi_u, phi_v>^2 ) / (lambda^2 <lambda^2>)
  *
- * where <lambda^2> is the mean over the inner nodes.  The first two lines are (9), the last two (6).
- * The differences are those of lambdah.h (stencil.h), so that for a gridded surface and its own
- * lambda and H the first and the third line are 0, to rounding.  The others are 0 only if that grid
- * is conformal; if not, the residual channels nu and tau correct them.  E does not depend on the
- * unit of length.
+ * where <lambda^2> is the mean over the inner nodes.  The first two lines are (9), the last two
+ * (6).  The differences are those of lambdah.h (stencil.h), so that for a gridded surface and its
+ * own lambda and H the first and the third line are 0, to rounding.  The others are 0 only if that
+ * grid is conformal; if not, the residual channels nu and tau correct them.  E does not depend on
+ * the unit of length.
  *
- * o = 1/(1 + 4 q^2) is the weight of a node by its resolution.  q is the turn of the normal and of the
- * coordinate lines over one cell: q^2 = (h^2 + k^2)/2 (lambda^2 H^2 + 4 |grad log lambda|^2).  By
- * truncation, the grid of a conformal map deviates from conformal by about q^2.  The third line is
- * hardly affected by truncation, so it is weighted by o, not o^2.  o = 0 where
- * lambda < 0.01 <lambda^2>^(1/2), and |H| is clipped so that lambda |H| times a step is <= 2.
+ * o = 1/(1 + 4 q^2) is the weight of a node by its resolution.  q is the turn of the normal and of
+ * the coordinate lines over one cell: q^2 = (h^2 + k^2)/2 (lambda^2 H^2 + 4 |grad log lambda|^2).
+ * By truncation, the grid of a conformal map deviates from conformal by about q^2.  The third line
+ * is hardly affected by truncation, so it is weighted by o, not o^2.  o = 0 where lambda < 0.01
+ * <lambda^2>^(1/2), and |H| is clipped so that lambda |H| times a step is <= 2.
  *
- * Where the surface folds over, n is smoothed: once |phi_u x phi_v| is below a thousandth of lambda^2,
- * n goes to 0 with it.  With a residue the area element is known:
- * n = phi_u x phi_v/(lambda^2 a), a = (1 - nu1^2 - nu2^2)^(1/2), and the first line is multiplied by a^2, so
+ * Where the surface folds over, n is smoothed: once |phi_u x phi_v| is below a thousandth of
+ * lambda^2, n goes to 0 with it.  With a residue the area element is known: n = phi_u x
+ * phi_v/(lambda^2 a), a = (1 - nu1^2 - nu2^2)^(1/2), and the first line is multiplied by a^2, so
  * that its residual is a polynomial and no normal is singular.
  *
  * Where the boundary is free, border nodes add the last two lines too, with w/10 and
@@ -67,8 +67,8 @@ typedef struct Misfit {
 int  misfit_init(Misfit *m, Chart g, const double *lambda2, const double *l2H, const Residue *residue);
 void misfit_free(Misfit *m);
 
-/* Makes the boundary free.  Residues are not defined on the border, so the target there is a conformal
- * metric. */
+/* Makes the boundary free.  Residues are not defined on the border, so the target there is a
+ * conformal metric. */
 void misfit_set_free(Misfit *m);
 
 /* E, and the node with the largest contribution: an inner one unless the boundary is free. */

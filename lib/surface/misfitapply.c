@@ -1,7 +1,8 @@
 /* misfitapply.c - products with the Jacobian of the residuals and with its transpose.
  *
- * In one pass over the rows: each row of nodes gets its adjoint values for phi_u, phi_v and
- * Delta phi; the transposed differences of three such rows give the middle row of the result.
+ * This takes one pass over the rows.  For each row of nodes the adjoint values of phi_u, phi_v and
+ * Delta phi are computed; the transposed differences of three such rows give the middle row of the
+ * result.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +11,7 @@
 #include "misfitborder.h"
 #include "misfitnode.h"
 
-/* Nodes whose positions are unknowns, along one axis. */
+/* The range of nodes along one axis whose positions are unknowns. */
 static Range
 unknowns(const Misfit *m, int axis)
 {
@@ -24,8 +25,8 @@ row_length(const Misfit *m)
 	return (size_t)m->g.nu + 2;
 }
 
-/* The adjoint values of row j: change_adjoint of W J d, or of W r if d is NULL.  They fill nine rows,
- * three each for phi_u, phi_v and Delta phi. */
+/* The adjoint values of row j: change_adjoint of W J d, or of W r if d is NULL.  They fill nine
+ * rows, three each for phi_u, phi_v and Delta phi. */
 INLINE void
 fill_adjoint_row(const Misfit *m, const double *phi, const double *d, int j, double *f)
 {
@@ -79,7 +80,7 @@ adjoint_row(const Misfit *m, const double *phi, const double *d, int j, double *
 		fill_adjoint_row(m, phi, d, j, f);
 }
 
-/* Row j of g: the transposed differences of the adjoint rows j-1, j, j+1. */
+/* Computes row j of g: the transposed differences of the adjoint rows j-1, j, j+1. */
 static void
 result_row(const Misfit *m, double *const f[3], int j, double *g)
 {

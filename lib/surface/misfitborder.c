@@ -8,16 +8,16 @@
 #include "misfitborder.h"
 #include "../base/vec3.h"
 
-/* Share of w on the border, where lambda is only extrapolated from inside (lambdah.h) and one-sided
- * differences have larger errors.  With 0.3 and with 1, kinks in the outermost cells slow the steps
- * down. */
+/* Factor of w on the border, where lambda is only extrapolated from inside (lambdah.h) and
+ * one-sided differences have larger errors.  With 0.3 and with 1, kinks in the outermost cells slow
+ * the steps down. */
 static const double SHARE = 0.1;
 
 typedef struct Metric {
 	double r[3], w[3];      /* residuals of scale and (two) of shape; weights of their squares */
 } Metric;
 
-/* The differences phi_u and phi_v at node (i,j). */
+/* The difference stencils of phi_u and phi_v at node (i,j). */
 static void
 slopes_at(Chart g, int i, int j, Stencil *u, Stencil *v)
 {
@@ -46,14 +46,15 @@ slopes(const Stencil *s, const double *f, size_t n, double x[3])
 		x[c] = stencil_sum(s, f + c*n);
 }
 
-/* Number of steps once round the edge of the grid. */
+/* Number of grid steps round the edge of the grid. */
 static int
 edge_length(Chart g)
 {
 	return 2*(g.nu - 1) + 2*(g.nv - 1);
 }
 
-/* Node k of the edge with its differences.  Returns whether it lies on an open side. */
+/* Sets *p to node k of the edge, and u and v to its difference stencils.  Returns whether the node
+ * lies on an open side. */
 static int
 border_slopes(Chart g, int k, size_t *p, Stencil *u, Stencil *v)
 {

@@ -1,8 +1,8 @@
 /* misfitborder.h - the energy of border nodes where the boundary is free.  Private to misfit.
  *
- * Each border node adds the residuals of the metric, the third and the fourth line of E with w/10, but
- * no residuals of Delta phi.  phi_u and phi_v are central differences along the border and one-sided
- * ones across it (stencil.h). */
+ * Each border node adds the residuals of the metric, the third and the fourth line of E with w/10,
+ * but no residuals of Delta phi.  phi_u and phi_v are central differences along the border and
+ * one-sided ones across it (stencil.h). */
 #ifndef MISFITBORDER_H
 #define MISFITBORDER_H
 
@@ -17,7 +17,8 @@ double misfit_weight(const Misfit *m, size_t p, double gradient2);
 /* Sets o of the border nodes. */
 void misfit_border_weights(Misfit *m);
 
-/* The contribution of the border to E; also the node that contributes most, and how much. */
+/* The contribution of the border to E.  *worst is set to the node that contributes most, *most to
+ * its contribution. */
 double misfit_border_energy(const Misfit *m, const double *phi, size_t *worst, double *most);
 
 /* Adds to g what the border nodes contribute to J'J d or, if d is NULL, to J'r. */

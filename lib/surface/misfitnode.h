@@ -1,7 +1,7 @@
 /* misfitnode.h - the residuals of a node and their derivatives.  Private to misfit.
  *
- * Four neighbouring nodes of a row are computed at a time, in vectors.  For a processor with shorter
- * vectors the compiler splits them; the results are the same. */
+ * Four neighbouring nodes of a row are computed at a time, in vectors.  For a processor with
+ * shorter vectors the compiler splits them; the results are the same. */
 #ifndef MISFITNODE_H
 #define MISFITNODE_H
 
@@ -141,7 +141,8 @@ change(const Local *a, const double *d, const Quad *q, Nodes r[MISFIT_PARTS])
 	r[5] = DOT(a->v, du) + DOT(a->u, dv);
 }
 
-/* The adjoint of change: the gradient of <r, dr> with respect to du, dv and dL, three numbers each. */
+/* The adjoint of change: the gradient of <r, dr> with respect to du, dv and dL, three numbers
+ * each. */
 INLINE void
 change_adjoint(const Local *a, const Nodes r[MISFIT_PARTS], Nodes f[9])
 {

@@ -1,7 +1,7 @@
 /* misfitweight.c - the weight of a node in the energy. */
 #include "misfitborder.h"
 
-static const double LEAST = 1e-4;       /* weight 0 where lambda^2 is below this share of its mean */
+static const double LEAST = 1e-4;       /* of lambda^2/<lambda^2>; below it o is cut */
 
 double
 misfit_step2(Chart g)

@@ -6,7 +6,7 @@
 #include "patchnode.h"
 
 static const double RESOLVED = 0.3;     /* o from which the plate is good enough */
-static const double SHARE = 0.01;       /* most nodes chosen, before their neighbours */
+static const double SHARE = 0.01;       /* largest fraction of nodes chosen, without neighbours */
 
 
 static int
@@ -17,7 +17,7 @@ by_size(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* The o below which nodes are chosen. */
+/* The value of the weight o below which nodes are chosen. */
 static double
 threshold(const Misfit *m, double *o)
 {
@@ -37,7 +37,7 @@ threshold(const Misfit *m, double *o)
 	return o[most];
 }
 
-/* Node k beside (i,j): itself, east, west, north, south. */
+/* Neighbour k of node (i,j): 0 is the node itself, then east, west, north, south. */
 static int
 beside(Chart g, int i, int j, int k)
 {
@@ -79,7 +79,7 @@ choose(Patch *p)
 	return 0;
 }
 
-/* How many of the nodes beside (i,j) are in S. */
+/* How many of the five nodes of `beside` are in S. */
 static int
 touching(const Patch *p, int i, int j)
 {
@@ -139,7 +139,8 @@ insert(int *list, int *count, int a)
 	++*count;
 }
 
-/* The numbers of the two nodes of pair k of row r, of 25; returns whether it is of the lower triangle. */
+/* The numbers of the two nodes of pair k of row r, of 25; returns whether it is of the lower
+ * triangle. */
 static int
 pair(const Patch *p, int r, int k, int *a, int *b)
 {

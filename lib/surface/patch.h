@@ -1,10 +1,11 @@
 /* patch.h - the nodes that the grid hardly resolves, whose equations are solved directly.
  *
- * The plate (plate.h) preconditions a node of weight o as if its stiffness were 1, but it is about o^2.
- * A few nodes of small o (nostrils, tips of ears) so take most of the CG steps.  Let S be these nodes,
- * A = J'J the matrix of a Gauss-Newton step (misfit.h), and A_SS its part on S, factored.  Deflation
- * starts CG where the residual vanishes on S, and corrects every direction so that it stays 0 there:
- * CG then only sees the Schur complement on the other nodes.  doc/mathematics.md 6.4. */
+ * The plate (plate.h) preconditions a node of weight o as if its stiffness were 1, but it is about
+ * o^2.  A few nodes of small o (nostrils, tips of ears) so take most of the CG steps.  Let S be
+ * these nodes, A = J'J the matrix of a Gauss-Newton step (misfit.h), and A_SS its part on S,
+ * factored.  Deflation starts CG where the residual vanishes on S, and corrects every direction so
+ * that it stays 0 there: CG then only sees the Schur complement on the other nodes.
+ * doc/mathematics.md 6.4. */
 #ifndef PATCH_H
 #define PATCH_H
 

@@ -6,8 +6,8 @@
 
 static const double SHIFT = 1e-12;      /* added to the diagonal, over its maximum: nodes of weight 0 */
 
-/* The derivatives of the weighted residuals of node q with respect to the nodes beside it.  The four
- * lanes have the same node, and each another residual. */
+/* The derivatives of the weighted residuals of node q with respect to the nodes beside it.  The
+ * four lanes have the same node, and each another residual. */
 static void
 derivatives(const Misfit *m, const double *phi, int q, double *J)
 {

@@ -129,8 +129,8 @@ fit_finest(const Surface *s, double unit, const Level *l, const FitOptions *o, F
 	return r;
 }
 
-/* The start of the coarsest level if none is given: by the frame method, from the band of the finest
- * level. */
+/* The start of the coarsest level if none is given: by the frame method, from the band of the
+ * finest level. */
 static int
 start_from_frame(const Surface *s, const Level *l, double *finest)
 {
@@ -206,8 +206,8 @@ clear_inside(Chart g, int rings, double *phi)
 				phi[c*nodes(g) + (size_t)j*g.nu + i] = 0;
 }
 
-/* The largest power of two not above the mean of lambda: in this unit of length, squares and products
- * are finite. */
+/* The largest power of two not above the mean of lambda: in this unit of length, squares and
+ * products are finite. */
 static double
 unit_of(size_t n, const double *lambda)
 {

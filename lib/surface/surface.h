@@ -45,9 +45,10 @@ typedef struct Surface {
  *                 after 12 steps
  * at      out     progress at the last step
  *
- * Peak memory: 24 numbers for each node of the finest grid, besides lambda, H and phi, and up to 27 for
- * unresolved nodes (patch.h).  Grids without an inner node stay as they are.  Returns 1 if the finest grid converged, 0 if
- * not, SURFACE_ENOMEM, SURFACE_ESTART or SURFACE_EPLACE; phi is then unspecified. */
+ * Peak memory: 24 numbers for each node of the finest grid, besides lambda, H and phi, and up to 27
+ * for unresolved nodes (patch.h).  Grids without an inner node stay as they are.  Returns 1 if the
+ * finest grid converged, 0 if not, SURFACE_ENOMEM, SURFACE_ESTART or SURFACE_EPLACE; phi is then
+ * unspecified. */
 int surface(const Surface *s, const FitOptions *o, double *phi, FitProgress *at);
 
 #endif

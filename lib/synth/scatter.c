@@ -114,8 +114,8 @@ stride(const ScatterRule *rule, double x, double y, double cx, double cy)
 	return r;
 }
 
-/* Throw darts around point k: evenly spaced directions from a random first one, at 1 to
- * 1.15 times the least distance. */
+/* Tries new points around point k, in evenly spaced directions from a random first one, at
+ * distances of 1 to 1.15 times the least distance. */
 static int
 throw_darts(const ScatterRule *rule, Cells *c, Points *p, int k, uint64_t *rng)
 {

@@ -14,7 +14,8 @@ enum {
 	CELLS = 96      /* cells of the box in each direction, to measure the area */
 };
 
-/* Boundary spacing over least distance inside; the mean edge inside is 1.23 least distances. */
+/* Ratio of the spacing on the boundary to the least distance inside.  The mean edge length inside
+ * is 1.23 least distances. */
 static const double SPACING = 1.18;
 /* Points inside per area of one least distance squared: 0.81 was measured on a plain square. */
 static const double PACKING = 0.80;
@@ -60,8 +61,8 @@ sides(const SynthDomain *d, int corner[4])
 	return d->shape == SYNTH_LSHAPE ? 6 : 4;
 }
 
-/* The point at t in [0,1] of side k.  Straight sides keep their constant coordinate to
- * the bit, so that no sliver can grow between them and the hull. */
+/* Sets x, y to the point at t in [0,1] of side k.  On straight sides the constant coordinate is
+ * exact, so that there can be no sliver triangle between the side and the convex hull. */
 static void
 side_at(const SynthDomain *d, int k, double t, double *x, double *y)
 {
@@ -83,7 +84,7 @@ side_at(const SynthDomain *d, int k, double t, double *x, double *y)
 	*y = (1 - v)*d->y0 + v*d->y1;
 }
 
-/* Length of side k times scale, from its start to the end of each piece. */
+/* Length of side k on the surface (weighted by scale), from its start to the end of each piece. */
 static double
 side_lengths(const Plan *plan, int k, double len[PIECES + 1])
 {
@@ -144,8 +145,8 @@ boundary_points(const Plan *plan, Points *p)
 	return 0;
 }
 
-/* The least distance r between n points: with area A and perimeter P in units of scale,
- * n r^2 = PACKING (A - P r/2) + P r/SPACING.  *top: the largest scale. */
+/* Estimates the least distance r between n points.  With area A and perimeter P measured on the
+ * surface, n r^2 = PACKING (A - P r/2) + P r/SPACING.  *top: the largest scale. */
 static double
 first_guess(const Plan *plan, int n, double *top)
 {
@@ -185,8 +186,8 @@ scatter_points(Plan *plan, double top, uint64_t seed, Points *p)
 	return scatter(&rule, seed, p) ? SYNTH_ENOMEM : 0;
 }
 
-/* About n points.  Packing and rounding differ from mesh to mesh: while the number of points is too far
- * from n, the distance is corrected and the points are made again. */
+/* About n points.  Packing and rounding differ from mesh to mesh: while the number of points is too
+ * far from n, the distance is corrected and the points are made again. */
 static int
 fit_points(Plan *plan, int n, uint64_t seed, Points *p)
 {
