@@ -40,6 +40,21 @@ setup_file() {
 	sort -rnc "$tmp/bending"
 }
 
+# meta FILE KEY
+meta() {
+	lhinfo "$1" | awk -v k="$2" '$0 ~ k { print $NF }'
+}
+
+@test "the fit says how good it is: misfit small for a surface, large after a filter; stopped" {
+	lhfft -K 0 "$tmp/lh" | lh2grid -o "$tmp/same"
+	lhfft -K 2 "$tmp/lh" | lh2grid -o "$tmp/smooth"
+	[ "$(meta "$tmp/same" stopped)" = converged ]
+	[ "$(meta "$tmp/smooth" stopped)" = converged ]
+	below "$(meta "$tmp/same" misfit)" 1
+	below 1 "$(meta "$tmp/smooth" misfit)"
+	below "$(meta "$tmp/smooth" change)" 5e-5
+}
+
 @test "errors of lh2grid say what is wrong" {
 	grid2lh "$tmp/phi" | lhfft -K 2 -o "$tmp/two"
 	try 1 'no convergence in 1 steps: energy [0-9.e+]*, change .*, the largest residual at node \([0-9]+,[0-9]+\)' \

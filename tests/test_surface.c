@@ -470,6 +470,42 @@ too_few_steps_are_reported(void **state)
 	assert_int_equal(surface(&s, &hasty, found, &at), 0);
 	assert_int_equal(at.step, 1);
 	assert_true(at.change > 0 && at.energy > 0 && at.worst > (size_t)COARSE.nu);
+	assert_int_equal(at.stopped, 0);
+}
+
+/* The fit of lambda and H of a torus, H with noise of the given size. */
+static FitProgress
+fit_noisy(double size, double tolerance)
+{
+	const FitOptions o = { .tolerance = tolerance, .most = 400 };
+	Surface s = given(torus, COARSE);
+	Misfit m;
+	unsigned long long seed = 5;
+	FitProgress at = { 0 };
+	int p;
+
+	for (p = 0; p < COARSE.nu*COARSE.nv; p++)
+		H[p] += size*noise(&seed);
+	m = misfit_of(&s);
+	memcpy(found, truth, sizeof truth);
+	assert_int_equal(fit(&m, &o, found, &at), 1);
+	misfit_free(&m);
+	return at;
+}
+
+/* With little noise the fit converges; the misfit is that of the noise, whose square it is.  With much,
+ * steps are cut again and again. */
+static void
+fit_says_how_it_ended(void **state)
+{
+	FitProgress little = fit_noisy(1, 1e-6), more = fit_noisy(3, 1e-6), much = fit_noisy(81, 1e-6);
+
+	(void)state;
+	assert_int_equal(little.stopped, FIT_CONVERGED);
+	assert_int_equal(more.stopped, FIT_CONVERGED);
+	assert_true(fabs(more.misfit/little.misfit/9 - 1) < 0.1);
+	assert_int_equal(much.stopped, FIT_CREPT);
+	assert_true(much.crept > 0);
 }
 
 /* If the energy overflows, this is reported; the result is not passed off as a solution. */
@@ -509,6 +545,7 @@ main(void)
 		cmocka_unit_test(known_detail_needs_hardly_a_step),
 		cmocka_unit_test(steps_that_overshoot_are_shortened),
 		cmocka_unit_test(too_few_steps_are_reported),
+		cmocka_unit_test(fit_says_how_it_ended),
 		cmocka_unit_test(overflow_is_reported),
 	};
 

@@ -15,6 +15,7 @@ gridfit(const CmdInput *in, Lhg *g, int method, int follows, const SurfaceFit *o
 {
 	const double *lambda = cmd_need(in, g, "lambda", LHG_GRID), *H = cmd_need(in, g, "H", LHG_GRID);
 	Chart chart = chart_of(g);
+	FitProgress at = { 0 };
 	double *phi;
 
 	claim(in->name, method == GRIDFIT_FRAME ? "the frame method" : "the surface method",
@@ -29,8 +30,9 @@ gridfit(const CmdInput *in, Lhg *g, int method, int follows, const SurfaceFit *o
 		framefit(in, chart, lambda, H, phi);
 	} else {
 		band_read(in, g, surfacefit_rings(g, o), phi);
-		surfacefit(in, g, o, phi);
+		surfacefit(in, g, o, phi, &at);
 	}
 	surface_replace(in, g, phi);
+	surfacefit_meta(g, &at);
 	return phi;
 }

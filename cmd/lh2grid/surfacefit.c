@@ -13,6 +13,10 @@
  * steps converge fast. */
 static const double EXACT = 1e-4;
 
+/* Sum of the changes of the last ten steps, over sqrt(area), above which a surface is refused whose
+ * steps crept: it is then not known to a percent. */
+static const double UNSETTLED = 0.01;
+
 static const char *const START[3] = { "start.x", "start.y", "start.z" };
 static const char *const RESIDUE[4] = { "nu1", "nu2", "tau1", "tau2" };
 
@@ -105,14 +109,36 @@ seconds(void)
 	return t.tv_sec + 1e-9*t.tv_nsec;
 }
 
+/* Notes or refuses a surface whose steps crept. */
+static void
+say_crept(const CmdInput *in, const FitProgress *at)
+{
+	if (at->stopped != FIT_CREPT)
+		return;
+	if (at->crept > UNSETTLED)
+		die("%s: no convergence: the last steps hardly lower the energy, %.4g, but move the surface by %.2g of "
+		    "sqrt(area); try fewer cells, or a stronger filter", in->name, at->energy, at->crept);
+	note("%s: the last steps crept: energy %.4g, moved by %.1e of sqrt(area) (metadatum stopped)", in->name,
+	    at->energy, at->crept);
+}
+
 void
-surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi)
+surfacefit_meta(Lhg *g, const FitProgress *at)
+{
+	if (!at->stopped)
+		return;         /* no node to compute */
+	cmd_meta(g, "misfit", "%.4g", at->misfit);
+	cmd_meta(g, "change", "%.2g", at->change);
+	cmd_meta(g, "stopped", "%s", at->stopped == FIT_CREPT ? "crept" : "converged");
+}
+
+void
+surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, FitProgress *at)
 {
 	Surface s = { .g = chart_of(g), .lambda = lhg_find(g, "lambda")->f, .H = lhg_find(g, "H")->f };
 	FitOptions how = { .tolerance = o->tolerance, .most = o->steps, .sharpen = 1, .report = report_step,
 	    .ctx = (void *)in };
 	double *start = has_start(g, o) ? read_start(in, g, &s) : NULL, began = seconds();
-	FitProgress at;
 	Residue residue;
 
 	s.forecast = o->forecast;
@@ -125,17 +151,17 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi)
 		s.residue = &residue;
 		how.tolerance *= EXACT;
 	}
-	switch (surface(&s, &how, phi, &at)) {
-	case 1: break;
+	switch (surface(&s, &how, phi, at)) {
+	case 1: say_crept(in, at); break;
 	case 0:
 		die("%s: no convergence in %d steps: energy %.4g, change %.2g, the largest residual at node (%d,%d)",
-	    in->name, at.step, at.energy, at.change, (int)(at.worst%g->nu), (int)(at.worst/g->nu));
+	    in->name, at->step, at->energy, at->change, (int)(at->worst%g->nu), (int)(at->worst/g->nu));
 	case SURFACE_ESTART: die("%s: no start, and the frame method finds none from the band", in->name);
 	case SURFACE_EPLACE: die("%s: the %s is too large to place the surface by it", in->name,
 		s.adrift ? "start" : "band");
 	default: die("%s: no memory for the surface of %d x %d nodes", in->name, g->nu, g->nv);
 	}
-	detail("%s: %.1f vector Poisson solves of %d x %d nodes, %.2f s", in->name, at.cost, g->nu, g->nv,
+	detail("%s: %.1f vector Poisson solves of %d x %d nodes, %.2f s", in->name, at->cost, g->nu, g->nv,
 	    seconds() - began);
 	free(start);
 }

@@ -2,6 +2,7 @@
 #ifndef SURFACEFIT_H
 #define SURFACEFIT_H
 
+#include "../../lib/surface/fit.h"
 #include "../shared/cmd.h"
 
 typedef struct SurfaceFit {
@@ -14,8 +15,9 @@ typedef struct SurfaceFit {
  * else 1 for a held boundary (or to place a free one), and 0 for a free boundary without a band. */
 int surfacefit_rings(const Lhg *g, const SurfaceFit *o);
 
-/* On entry phi[3][nv][nu] has the positions of those rings, on return the whole surface.  Dies if
- * the method fails. */
-void surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi);
+/* phi[3][nv][nu] has those rings, and becomes the surface; dies if there is none.  at: out, how the
+ * steps ended, which surfacefit_meta writes into the metadata. */
+void surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, FitProgress *at);
+void surfacefit_meta(Lhg *g, const FitProgress *at);
 
 #endif

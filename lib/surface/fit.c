@@ -123,11 +123,12 @@ remember(Past *past, double E, double moved)
 	past->moved[past->steps++%TEN] = moved;
 }
 
-/* A shortened step says nothing about convergence, unless the last ten steps together barely
- * lowered E or barely moved: with data that belong to no surface, steps can creep for ever.  Nor
- * does a step only just below the tolerance while E is still falling fast.  If CG reached its limit
- * of steps, it may have missed slow components; then such a step counts only when E hardly falls
- * any more. */
+/* A shortened step says nothing about convergence, unless the last ten steps together barely lowered
+ * E or barely moved: with data that belong to no surface, steps can creep for ever.  Nor does a step
+ * only just below the tolerance while E is still falling fast.  If CG reached its limit of steps, it
+ * may have missed slow components; then such a step counts only when E hardly falls any more.
+ *
+ * Returns FIT_CONVERGED, FIT_CREPT or 0. */
 static int
 converged(const FitOptions *o, const Outcome *is, double E, double moved, const Past *past)
 {
@@ -136,10 +137,24 @@ converged(const FitOptions *o, const Outcome *is, double E, double moved, const 
 
 	if (past->steps >= TEN
 	    && (past->E[then] - E < CREEP*past->E[then] || moved - past->moved[then] < o->tolerance))
-		return 1;
+		return is->cut ? FIT_CREPT : FIT_CONVERGED;
 	if (is->cut)
 		return 0;
-	return is->change < (E > flat*past->E[last] ? 1 : SURE)*o->tolerance || is->predicted <= o->flat*E;
+	return is->change < (E > flat*past->E[last] ? 1 : SURE)*o->tolerance || is->predicted <= o->flat*E
+	    ? FIT_CONVERGED : 0;
+}
+
+/* E over the number of nodes, with the sharp weights; those of m are kept. */
+static double
+mean_misfit(Misfit *m, const double *phi)
+{
+	double w = m->w, alpha = m->alpha, E;
+
+	set_weights(m, 1);
+	E = misfit_energy(m, phi);
+	m->w = w;
+	m->alpha = alpha;
+	return E/((double)m->g.nu*m->g.nv);
 }
 
 int
@@ -179,7 +194,10 @@ fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 			blunt = done = 0;
 		}
 	}
+	at->stopped = done;
+	at->crept = past.steps >= TEN ? moved - past.moved[past.steps%TEN] : moved;
+	at->misfit = mean_misfit(m, phi);
 	at->worst = done ? 0 : misfit_worst(m, phi);
 	fitsolve_free(&k);
-	return k.error ? k.error : done;
+	return k.error ? k.error : done != 0;
 }

@@ -13,10 +13,22 @@
 
 enum { FIT_ENOMEM = -1 };
 
+/* Why the steps ended. */
+enum {
+	FIT_CONVERGED = 1,      /* the last step was small, or was predicted to lower E hardly */
+	FIT_CREPT               /* ten steps lowered E hardly, or together moved the surface by less than
+	                         * the tolerance, but none of them came to the minimum of its quadratic
+	                         * model: the surface may still be far from that of least E */
+};
+
 /* Progress, after each step and at the end. */
 typedef struct FitProgress {
 	int    nu, nv, step;
 	double energy, change;          /* E; root mean square displacement over sqrt(area) */
+	int    stopped;                 /* FIT_CONVERGED, FIT_CREPT, or 0: not yet */
+	double crept;                   /* with FIT_CREPT: the sum of the changes of the last ten steps */
+	double misfit;                  /* at the end: E with w = 100 and alpha = 0.1, whatever the weights of the
+	                                 * fit, over the number of nodes; without unit */
 	long   solves;                  /* with the plate, on this grid */
 	double cost;                    /* solves on all grids, in units of a solve on the finest */
 	size_t worst;                   /* without convergence: the node of the largest residual */
@@ -42,7 +54,7 @@ typedef struct FitOptions {
  * is done at once.  Otherwise it is checked again after every step, and the weights move part
  * of the way once the energy stops falling steeply.  doc/mathematics.md 6.3.
  *
- * Returns 1 if it converged, 0 if it did not within the steps, or FIT_ENOMEM. */
+ * Returns 1 if it converged or crept, 0 if it did neither within the steps, or FIT_ENOMEM. */
 int fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at);
 
 #endif
