@@ -12,7 +12,7 @@ enum {
 	                         * it contains a tangential error */
 };
 
-/* How many inner nodes have another lambda or H than the equations give. */
+/* How many inner nodes have a lambda or H that differs from what the equations give. */
 typedef struct LambdahFlaws {
 	int raised;             /* lambda was too small, or H infinite: lambda is least, H is 0 */
 	int parallel;           /* phi_u and phi_v were parallel up to rounding: H is 0 */

@@ -1,4 +1,4 @@
-/* crossings.c - the lists of crossings under a flip. */
+/* crossings.c - reads the lists of crossings, and updates them for a flip. */
 #include <stdlib.h>
 #include <string.h>
 

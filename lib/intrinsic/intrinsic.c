@@ -31,7 +31,7 @@ allocate(Intrinsic *t)
 	    && t->along && t->crossing && t->crossings ? 0 : INTRINSIC_ENOMEM;
 }
 
-/* Numbers the edges in the order of their sides of lower number. */
+/* Numbers the edges in increasing order of their lower-numbered sides. */
 static void
 number_edges(Intrinsic *t)
 {

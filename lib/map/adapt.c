@@ -13,9 +13,9 @@
 #include "../base/vec3.h"
 
 enum { GRADED = 3 };                    /* splits of the faces at the corners, before any solve */
-enum { GROWTH = 4, FEW = 20000 };       /* if more than FEW vertices, and more than GROWTH times
-                                         * the given ones, do not reach the tolerance, the cause
-                                         * is the shape of the triangles */
+enum { GROWTH = 4, FEW = 20000 };       /* ADAPT_HARD if the certificate is above the tolerance with
+                                         * more than FEW vertices, and more than GROWTH times as
+                                         * many as were given: the triangles are badly shaped */
 
 /* The term of triangle t in the sum for T*certificate (adapt.h).  With a, b its sides at
  * corner 0, g_aa, g_ab, g_bb their inner products, u_a, u_b the differences of u along them, and A

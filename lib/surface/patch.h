@@ -28,7 +28,7 @@ typedef struct Patch {
 	int    *beside;                 /* [rows][5] the node itself, and its neighbours */
 	int    *place;                  /* [rows][5][5] of their block in its column of A_SS */
 	double *J;                      /* [rows][6][15] derivatives of the weighted residuals */
-	double *s;                      /* [edge][15] */
+	double *s;                      /* [edge][15] workspace of patch_correct */
 	double *b;                      /* [3*nodes] */
 	int    *column, *below;         /* lower triangle of A_SS, compressed columns */
 	double *value;
