@@ -1,4 +1,5 @@
-/* keyframes.c - frames between two key frames start from the interpolated detail of both. */
+/* keyframes.c - frames between two key frames: the interpolated detail of both is added to the start
+ * on the finest grid. */
 #include <stdlib.h>
 
 #include "../shared/claim.h"

@@ -137,7 +137,7 @@ scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g)
 	return f;
 }
 
-/* Sets the metadatum waves, in cycles per width: the radius of the quarter disk of wave numbers
+/* Sets the metadatum "waves", in cycles per width: the radius of the quarter disk of wave numbers
  * that contains as many cosines, pi waves^2 T, as the filter kept.  If an earlier filter had a
  * smaller value, that is kept. */
 static void

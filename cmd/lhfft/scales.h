@@ -33,10 +33,10 @@ double scales_need(const CmdInput *in, const Lhg *g);
 double *scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g);
 const char *scales_name(const Scales *s);
 
-/* The metadatum waves of the input: that of an earlier filter, or 0. */
+/* The metadatum "waves" of g, which an earlier filter has set; 0 if there is none. */
 double scales_waves(const Lhg *g);
 
-/* Filter lambda and H of g as at scale k, or die, and set the metadatum waves if they change or if
+/* Filter lambda and H of g as at scale k, or die, and set the metadatum "waves" if they change or if
  * there are several scales.  before: scales_waves of the input. */
 void scales_apply(const Scales *s, int k, double before, const CmdInput *in, Lhg *g);
 

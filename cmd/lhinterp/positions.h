@@ -1,5 +1,5 @@
-/* positions.h - the channels of a grid that hold positions: x y z, and NAME.x NAME.y NAME.z in
- * the unit length. */
+/* positions.h - the channels of a grid that hold positions: x y z and NAME.x NAME.y NAME.z, if
+ * their unit is "length". */
 #ifndef CMD_POSITIONS_H
 #define CMD_POSITIONS_H
 

@@ -11,7 +11,8 @@
 #include "likeopt.h"
 
 enum { POINTS = 2048 };                 /* on each outline */
-static const double CLEAR = 1.25;       /* a fit is clearly worse than the best by this factor */
+static const double CLEAR = 1.25;       /* a fit with more than this times the distance of the best is
+                                         * clearly worse */
 
 typedef struct Fit {
 	int    shift;

@@ -18,7 +18,8 @@ typedef struct CgLimits {
 	int    steps;
 	double radius;          /* bounds |x - start| in the norm of P; HUGE_VAL: no bound */
 	double worth;           /* stop when a step adds less than this times the decrease */
-	double before;          /* decrease before this call; only the rule of worth adds it */
+	double before;          /* decrease before this call: counts in the test with worth, not
+	                         * in the result */
 } CgLimits;
 
 typedef struct CgResult {

@@ -8,8 +8,8 @@ enum { RESAMPLE_ENOMEM = -1 };
 
 /* Interpolates f, on the nodes of `from`, to e, on the nodes of `to`, by cubics through the four
  * nearest nodes in each direction; at nodes of both grids the value stays the same.  The last node
- * of `from` is at end[0] <= 1 of the width and end[1] <= 1 of the height; beyond it f is
- * extrapolated. */
+ * of `from` lies at the shares end[0] of the width and end[1] of the height, both <= 1; beyond it f
+ * is extrapolated. */
 int resample_cubic(Chart from, const double end[2], const double *f, Chart to, double *e);
 
 /* Averages f to a coarser grid.  Each node of `to` gets a weighted mean of f: along each direction

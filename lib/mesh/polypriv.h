@@ -6,7 +6,8 @@
 #include <stddef.h>
 
 #define POLYGON_FLAT 1e-14      /* a smaller ratio of area to longest edge squared counts as 0 */
-#define POLYGON_TINY 1e-150     /* squares of smaller lengths underflow a double */
+#define POLYGON_TINY 1e-150     /* squares of lengths between this and its inverse are well
+                                 * within the range of a double */
 
 typedef struct Polygon {
 	const double *xyz;
