@@ -41,15 +41,15 @@ mesh_of_grid(const CmdInput *in, const Lhg *g, const double *const phi[3], const
 
 	if (!e)
 		e = gridmesh_part(&m, g->nu, g->nv, (format->can & MESHFORMAT_SINGLE) != 0, &left);
-	if (left)
-		note("%s: %d faces without area, or nodes at one place: cells smaller than %s can hold", in->name,
-		    left, format->name);
 	if (!e)
 		e = meshfile_write_mesh(&m, format, bytes, n);
 	if (e == MESH_EVALUE)
 		die("%s: a coordinate is too large for %s", in->name, format->name);
 	if (e)
 		die("%s: no memory for a mesh of %d x %d vertices", in->name, g->nu, g->nv);
+	if (left)
+		note("%s: %d faces without area, or nodes at one place: cells smaller than %s can hold", in->name,
+		    left, format->name);
 	mesh_free(&m);
 }
 
