@@ -55,6 +55,14 @@ meta() {
 	below "$(meta "$tmp/smooth" change)" 5e-5
 }
 
+@test "a fit that creeps is noted, and is not called converged" {
+	/usr/bin/python3 tests/hostile.py "$tmp/lh" "$tmp/noisy" "H = g['H']
+H[:] += 100*abs(H).mean()*np.random.default_rng(1).normal(size=H.shape)"
+	try 0 'the last steps crept: energy .*, moved by .* of sqrt.area. .metadatum stopped.$' /dev/null \
+	    lh2grid "$tmp/noisy" -o "$tmp/crept"
+	[ "$(meta "$tmp/crept" stopped)" = crept ]
+}
+
 @test "errors of lh2grid say what is wrong" {
 	grid2lh "$tmp/phi" | lhfft -K 2 -o "$tmp/two"
 	try 1 'no convergence in 1 steps: energy [0-9.e+]*, change .*, the largest residual at node \([0-9]+,[0-9]+\)' \
