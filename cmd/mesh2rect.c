@@ -167,12 +167,14 @@ map_disk(const Disk *d, const int corner[4], Chart g, const ConformalOptions *op
 		die("the map has no modulus: triangles too thin");
 }
 
+/* The grid as a stream of one frame. */
 static void
-add_positions(Lhg *out, const Grid *grid)
+begin_output(Lhg *out, const Grid *grid)
 {
 	static const char *const name[3] = { "x", "y", "z" };
 	int k;
 
+	lhg_init(out, grid->g.nu, grid->g.nv, grid->g.T);
 	for (k = 0; k < 3; k++)
 		memcpy(cmd_add(out, name[k], "length", LHG_GRID, 0), grid->phi[k],
 		    (size_t)grid->g.nu*grid->g.nv*sizeof(double));
@@ -234,8 +236,7 @@ main(int argc, char *argv[])
 	claim_map(cmd_name_of(argv[optind]), &d, g, &options);
 	map_disk(&d, corner, g, &options, &c);
 
-	lhg_init(&out, c.grid.g.nu, c.grid.g.nv, c.grid.g.T);
-	add_positions(&out, &c.grid);
+	begin_output(&out, &c.grid);
 	quality_meta(&out, &d, corner, apart, &c);
 	loss_report(&out, cmd_name_of(argv[optind]), most_lost, &d, &c);
 	quality_notes(cmd_name_of(argv[optind]), uv, &d, &options, &c);

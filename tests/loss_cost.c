@@ -4,22 +4,12 @@
  * prints the processor seconds of reading, mapping and sampling MESH on 257 x 257 nodes, the
  * seconds of gridloss, and the second number in percent of the first.  Only for measurements: it
  * tests nothing. */
-#include <stdio.h>
-#include <stdlib.h>
 #include <time.h>
 
 #include "../lib/grid/gridloss.h"
 #include "../lib/map/conformal.h"
 #include "../lib/map/corners.h"
-#include "../lib/mesh/disk.h"
-#include "../lib/meshfile/meshfile.h"
-
-static void
-quit(const char *why)
-{
-	fprintf(stderr, "loss_cost: %s\n", why);
-	exit(1);
-}
+#include "diskfile.h"
 
 static double
 now(void)
@@ -28,29 +18,6 @@ now(void)
 
 	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
 	return t.tv_sec + 1e-9*t.tv_nsec;
-}
-
-static void
-load(const char *path, Disk *d)
-{
-	FILE *f = fopen(path, "rb");
-	char *bytes;
-	long n = -1;
-	Soup s;
-
-	if (f && fseek(f, 0, SEEK_END) == 0)
-		n = ftell(f);
-	if (n < 0 || fseek(f, 0, SEEK_SET))
-		quit("cannot read the file");
-	if (!(bytes = malloc(n + 1)) || fread(bytes, 1, n, f) != (size_t)n)
-		quit("cannot read the file");
-	fclose(f);
-	if (meshfile_parse(&s, bytes, n, (size_t)1 << 32))
-		quit(s.err);
-	free(bytes);
-	if (disk_from_soup(d, &s))
-		quit(d->err);
-	soup_free(&s);
 }
 
 int

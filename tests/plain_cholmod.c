@@ -16,18 +16,10 @@
 #include <suitesparse/cholmod.h>
 
 #include "../lib/map/corners.h"
-#include "../lib/mesh/disk.h"
-#include "../lib/meshfile/meshfile.h"
 #include "../lib/map/rectmap.h"
 #include "../lib/base/vec3.h"
 #include "cotapply.h"
-
-static void
-quit(const char *why)
-{
-	fprintf(stderr, "plain_cholmod: %s\n", why);
-	exit(1);
-}
+#include "diskfile.h"
 
 static double
 now(void)
@@ -36,31 +28,6 @@ now(void)
 
 	clock_gettime(CLOCK_MONOTONIC, &t);
 	return t.tv_sec + 1e-9*t.tv_nsec;
-}
-
-static void
-load(const char *path, Disk *d, int corner[4])
-{
-	FILE *f = fopen(path, "rb");
-	char *bytes;
-	long n = -1;
-	Soup s;
-
-	if (f && fseek(f, 0, SEEK_END) == 0)
-		n = ftell(f);
-	if (n < 0 || fseek(f, 0, SEEK_SET))
-		quit("cannot read the file");
-	if (!(bytes = malloc(n + 1)) || fread(bytes, 1, n, f) != (size_t)n)
-		quit("cannot read the file");
-	fclose(f);
-	if (meshfile_parse(&s, bytes, n, (size_t)1 << 32))
-		quit(s.err);
-	free(bytes);
-	if (disk_from_soup(d, &s))
-		quit(d->err);
-	soup_free(&s);
-	if (corners_auto(d, corner) < 0)
-		quit("no memory");
 }
 
 static void
@@ -192,7 +159,9 @@ main(int argc, char *argv[])
 
 	if (argc != 2)
 		quit("one mesh file is wanted");
-	load(argv[1], &d, corner);
+	load(argv[1], &d);
+	if (corners_auto(&d, corner) < 0)
+		quit("no memory");
 	read = now();
 	Eu = harmonic(&d, corner, 3);
 	Ev = harmonic(&d, corner, 0);
