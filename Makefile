@@ -120,7 +120,7 @@ $(BUILD)/%.o: %.cc config.mk
 # Multiplication and addition are one instruction where the processor has one for both.
 $(BUILD)/lib/sparse/product.o: ALL_CFLAGS += -ffp-contract=fast
 
-# Several nodes at a time, whatever CFLAGS say.
+# -O3, whatever CFLAGS say: it vectorizes the inner loops of the surface method.
 $(addprefix $(BUILD)/lib/,surface/misfit.o surface/misfitapply.o poisson/transform.o): ALL_CFLAGS += -O3
 
 demo:

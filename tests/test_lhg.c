@@ -206,8 +206,8 @@ roundtrip(void **state)
 		}
 }
 
-/* A grid larger than the blocks in which samples are read and memory grows is read, and refused if
- * damaged. */
+/* The reader reads samples, and enlarges its memory for them, in blocks.  A grid larger than these
+ * blocks is accepted if it is intact and refused if it is damaged. */
 static void
 large(void **state)
 {

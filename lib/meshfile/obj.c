@@ -119,8 +119,8 @@ index_from_0(Reader *r, Token a, int n, const char *things, long long *i)
 	return 0;
 }
 
-/* Stores index b of a corner a/b or a/b/c for the next corner.  slash points to the first slash, or
- * is NULL if there is none. */
+/* Stores index b, counted from 0, of the corner a/b or a/b/c that is being read, or -1 if it has no
+ * b.  slash points to its first slash, or is NULL if there is none; end points behind the corner. */
 static int
 cornertexture(Obj *o, const char *slash, const char *end)
 {

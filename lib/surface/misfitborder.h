@@ -1,7 +1,7 @@
 /* misfitborder.h - the energy of border nodes where the boundary is free.  Private to misfit.
  *
- * Each border node adds the residuals of the metric, the third and the fourth line of E with w/10,
- * but no residuals of Delta phi.  phi_u and phi_v are central differences along the border and
+ * Each border node adds only the residuals of the metric (the third and the fourth line of E, with
+ * w/10), and none of Delta phi.  phi_u and phi_v are central differences along the border and
  * one-sided ones across it (stencil.h). */
 #ifndef MISFITBORDER_H
 #define MISFITBORDER_H

@@ -85,8 +85,8 @@ view() {
 	esac
 }
 
-# chart ROLE: options of mesh2rect: the faces upright on the rectangle, the normals of the Buddha
-# outward.
+# chart ROLE: options of mesh2rect: corners, such that the human faces (man, woman) are upright on
+# the rectangle; for the Buddha also --flip, so that its normals point outward.
 chart() {
 	case $real-$1 in
 	yes-man)    echo '-c -66,-34,-888;21,-42,-811;29,90,-830;-70,100,-877' ;;
