@@ -1,7 +1,8 @@
 /* clough.c - Clough-Tocher interpolant by the Bezier ordinates of the split triangle.
  *
- * Ordinates are points of R^3.  The part at side k has the corners i, j, S (i = k+1,
- * j = k+2 modulo 3, S the centroid); its ordinates are
+ * Ordinates are points of R^3.  V_i is the place of vertex i in (u,v), e_ij = V_j - V_i, and S the
+ * centroid.  A spoke goes from a vertex to S.  The part at side k has the corners i = k+1, j = k+2
+ * (modulo 3) and S; its ordinates are
  *
  *   f_i                  the vertex
  *   t_ij = f_i + phi'_i(e_ij)/3                     on the side, next to i
@@ -10,7 +11,7 @@
  *   q_i  = (a_i + c_j + c_k)/3                      on the spoke, next to S
  *   s    = (q_0 + q_1 + q_2)/3                      at S
  *
- * c_k follows from the derivative D at the middle M of the side towards S:
+ * c_k follows from the derivative D at the middle M of the side, in the direction S - M:
  *
  *   D = 3 [ (a_i + a_j)/4 + c_k/2 - (f_i + 3 t_ij + 3 t_ji + f_j)/8 ].
  */
@@ -89,7 +90,7 @@ longest(const Ordinates *n)
 	return most;
 }
 
-/* The ordinate c_k. */
+/* Sets the ordinate c_k by the formula for D; (xu,xv) = S - M.  Needs the ordinates f, t and a. */
 static void
 middle_ordinate(const Clough *cl, const int *tri, Ordinates *n, int k)
 {

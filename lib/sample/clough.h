@@ -4,8 +4,8 @@
  * is a cubic, and phi and its first derivatives are continuous within the triangle and across
  * its sides.  At a vertex, phi is the position of the vertex and has the first derivatives of its
  * jet; on a side, phi is the cubic given by the positions and first derivatives at the two ends.
- * At the middle M of a side, the derivative across the side is that of a cubic with the jets at
- * the ends,
+ * At the middle M of a side, the derivative across the side is that of a cubic that has the
+ * first and second derivatives of the jets at both ends,
  *
  *   phi'(M) = (phi'_i + phi'_j)/2 + (phi''_i - phi''_j)(e)/8,   e from i to j.
  *

@@ -10,7 +10,7 @@
 enum {
 	ENOUGH = 15,    /* rings are added until there are more points than this, */
 	RINGS  = 6,     /* or this many rings */
-	FAN    = 16     /* about the largest number of triangles visited at a vertex: otherwise a
+	FAN    = 16     /* triangles of a vertex that join_neighbours visits at most: otherwise a
 	                 * vertex of a million triangles would cost each neighbour a million visits */
 };
 static const double WAVES = 100;        /* radians per unit of u, in chart_keys */
@@ -124,10 +124,11 @@ join(Hood *h, int v)
 	h->slot[k] = h->n;
 }
 
-/* Adds the neighbours of vertex i to h; if i has many triangles, only some of them.  First the
- * first end of the side opposite to i is added for every triangle.  If the triangles surround i,
- * these are all neighbours; the second ends are then the same vertices, so the sum of the
- * differences of the vertex numbers is 0.  If it is not 0, the second ends are added as well. */
+/* Adds the neighbours of vertex i to h; only some of them if i has more than FAN triangles.  In each
+ * triangle the side opposite to i has two ends, which are neighbours of i.  The first loop adds the
+ * first ends.  If the triangles surround i, the second ends are the same vertices as the first ends,
+ * so `open`, the sum of the first minus the second vertex numbers, is 0 and all neighbours are
+ * there.  Otherwise the second loop adds the second ends. */
 static void
 join_neighbours(const Mesh *m, const Stars *s, Hood *h, int i)
 {
@@ -168,8 +169,8 @@ longest2(const Mesh *m, const int *tri)
 	return most;
 }
 
-/* Along the side from i to j, with e its step in (u,v): its step d in R^3, first = phi'(e) - d, and
- * second = phi''(e,e)/8. */
+/* Computes both sides of the limits of gradient.h along the side from i to j, whose step in (u,v) is
+ * e: the step d in R^3, first = phi'(e) - d, and second = phi''(e,e)/8. */
 static void
 side_terms(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j,
 	double d[3], double first[3], double second[3])
@@ -184,9 +185,10 @@ side_terms(const Mesh *m, const double *u, const double *v, const Jet *jet, int 
 	}
 }
 
-/* The largest factor s <= 1 found by which the jet at i must be multiplied to satisfy the limits of
- * gradient.h along the side i j of a triangle.  L2 is the square of the longest side of this
- * triangle.  The estimate |s phi'(e) - d| <= s |phi'(e) - d| + (1 - s) |d| is used. */
+/* A factor s in 0..1 such that s times the jet at i satisfies the limits of gradient.h along the
+ * side i j of a triangle: the largest s for which this follows from the estimate
+ * |s phi'(e) - d| <= s |phi'(e) - d| + (1 - s) |d|.  L2 is the square of the longest side of the
+ * triangle. */
 static double
 side_factor(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j, double L2)
 {
@@ -209,9 +211,9 @@ side_factor(const Mesh *m, const double *u, const double *v, const Jet *jet, int
 	return fmax(s, 0);
 }
 
-/* Whether the jet at ring[0] satisfies the limits along the sides to ring[1] .. ring[n-1] even with
- * the length of each side in place of the longest side of the triangle.  This is quick to test,
- * suffices, and is nearly always true. */
+/* Whether the jet at ring[0] satisfies the limits along the sides to ring[1] .. ring[n-1] with L
+ * replaced by the length |d| of each side.  As |d| <= L, the true limits then hold, too.  This test
+ * is quicker, and jets nearly always pass it. */
 static int
 clearly_within(const Mesh *m, const double *u, const double *v, const Jet *jet, const int *ring, int n)
 {
@@ -227,7 +229,7 @@ clearly_within(const Mesh *m, const double *u, const double *v, const Jet *jet, 
 	return 1;
 }
 
-/* The smallest side_factor of all triangles at i, at most 1. */
+/* The smallest side_factor over the sides at i of all triangles at i; at most 1. */
 static double
 limiting_factor(const Mesh *m, const Stars *s, const double *u, const double *v, const Jet *jet, int i)
 {
@@ -258,13 +260,13 @@ scale(Jet *jet, double s)
 	}
 }
 
-/* The jet at vertex i.  Returns GRADIENT_LOW, GRADIENT_LIMITED, both or 0. */
+/* Computes the jet at vertex i.  Returns GRADIENT_LOW, GRADIENT_LIMITED, both or 0. */
 static int
 fit_vertex(const Mesh *m, const Stars *s, const double *u, const double *v, int i, Jet *jet)
 {
 	Hood h = { 0 };
 	double most = 0;
-	int ring, degree, near = 0;      /* size of the hood at the first ring */
+	int ring, degree, near = 0;     /* near: number of points of h after the first ring */
 	Polyfit f;
 
 	join(&h, i);

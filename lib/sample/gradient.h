@@ -5,13 +5,14 @@
  *
  *   minimise  sum_j w_j^2 |P(u_j,v_j) - phi_j|^2,     P(u_i,v_i) = phi_i,
  *
- * over two rings of neighbours, or more until the points determine all terms of P (at most six
- * rings, 64 points).  The points in (u,v) are first transformed linearly to unit variance in all
+ * over two rings of neighbours.  Rings are added, up to six rings and 64 points, until there are
+ * more than 15 points and they determine all terms of P.  The points in (u,v) are first transformed
+ * linearly to unit variance in all
  * directions, so that neither the unit nor the aspect ratio of the triangles matters; w_j is
  * 1/distance from vertex i in the new coordinates.  The fit is by Householder reflections.  A term
  * that is linearly dependent on earlier ones at these points (few points, or points on few lines)
- * is left out, so higher degrees go first.  For smooth phi the error is O(h^3) in first derivatives
- * and O(h^2) in second ones, also on the boundary; cubics are exact.
+ * is left out, so terms of high degree are the first to go.  For smooth phi the error is O(h^3) in
+ * first derivatives and O(h^2) in second ones, also on the boundary; cubics are exact.
  *
  * Limits.  Creases, noise and overlapping triangles must not make an interpolant of these
  * derivatives overshoot.  With e the step in (u,v) from i to another vertex of a triangle
@@ -21,10 +22,10 @@
  *
  * If the fit violates them, its terms up to degree 2 are fitted instead; if these violate them,
  * too, the terms of degree 1; if these still do, they are scaled down.  No fit is limited on
- * the smooth surfaces of mkmesh from 60 vertices on, nor near z -> z^2, the local form of the
+ * the smooth surfaces of mkmesh with 60 or more vertices, nor near z -> z^2, the local form of the
  * map where a corner of the rectangle lies on a smooth boundary.  On scans and cortices with
- * their discrete (u,v), up to two vertices in a thousand are limited; on the worst meshes (faces
- * of 2000 vertices, coarse heads) three in a hundred.
+ * their discrete (u,v), up to two vertices in a thousand are limited; on the worst meshes (human
+ * faces with 2000 vertices, coarse heads) three in a hundred.
  */
 #ifndef GRADIENT_H
 #define GRADIENT_H
@@ -40,8 +41,9 @@ typedef struct Jet {
 	double u[3], v[3], uu[3], uv[3], vv[3];
 } Jet;
 
-/* The triangles at vertex i: side[first[i]] .. side[first[i+1]-1], as 3*t + k where i is
- * corner k of t.  Their order depends on (u,v), not on how vertices and triangles are numbered. */
+/* The star of each vertex, that is, the triangles at it.  Those of vertex i are side[first[i]] ..
+ * side[first[i+1]-1], each as 3*t + k, where i is corner k of triangle t.  Within a star they are
+ * sorted by (u,v), so that their order does not depend on how vertices and triangles are numbered. */
 typedef struct Stars {
 	int *first, *side;
 } Stars;

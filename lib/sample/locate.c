@@ -44,9 +44,9 @@ step(const Locator *l, int t, int k, int from)
 	return twin < 0 ? -1 : twin/3;
 }
 
-/* Walks from triangle t towards the point.  Returns the triangle that contains it or, if the walk
- * ends without one, the visited triangle in which the least barycentric coordinate is largest.
- * Sets w to the coordinates in the returned triangle. */
+/* Walks from triangle t towards the point (x,y).  Returns the triangle that contains the point or,
+ * if the walk does not reach one, the visited triangle in which the least barycentric coordinate is
+ * largest.  Sets w to the coordinates in the returned triangle. */
 static int
 walk(const Locator *l, int t, double x, double y, double w[3])
 {
@@ -55,7 +55,7 @@ walk(const Locator *l, int t, double x, double y, double w[3])
 
 	w[0] = w[1] = -1, w[2] = 3;     /* nothing found yet */
 	for (; t >= 0 && left > 0; left--, from = t, t = next) {
-		k = -1;         /* no coordinates in a flat triangle: go on */
+		k = -1;         /* a flat triangle has no coordinates: go on to any neighbour */
 		if (barycentric(l, t, x, y, here)) {
 			k = least(here);
 			if (here[k] > deepest) {
@@ -66,16 +66,16 @@ walk(const Locator *l, int t, double x, double y, double w[3])
 			if (here[k] >= INSIDE)
 				break;
 			if (l->twin[3*t + (k + 1)%3] < 0 && here[(k + 1)%3] >= 0 && here[(k + 2)%3] >= 0)
-				break;          /* beyond the boundary */
+				break;          /* the point lies beyond the boundary */
 		}
 		next = step(l, t, k, from);
 	}
 	return best;
 }
 
-/* The triangle of the mesh in which the least barycentric coordinate of the point is largest.  On
- * entry `best` is a candidate and w are the coordinates in it; on return w are those in the
- * result. */
+/* Tests all triangles until one contains the point (x,y).  Returns it or, if there is none, the
+ * triangle in which the least barycentric coordinate is largest.  On entry w are the coordinates in
+ * triangle `best`, the result of the walk; on return w are those in the result. */
 static int
 search(const Locator *l, int best, double x, double y, double w[3])
 {

@@ -8,11 +8,12 @@ typedef struct Locator {
 	const Mesh   *m;
 	const double *u, *v;
 	const int    *twin;     /* [3*nf] of the disk */
-	int          *start;    /* [ny][nx] a triangle near each cell of a table over the chart */
+	int          *start;    /* [ny][nx] the chart is divided into cells: a triangle in or near
+	                         * each cell, where walks to the points of this cell start */
 	int           nx, ny;
 	double        T;
-	int           corner[4];        /* a side 3*t + k whose triangle t has its corner k at
-	                                 * (0,0), (1,0), (0,T), (1,T); -1 if there is none */
+	int           corner[4];        /* for each of (0,0), (1,0), (0,T), (1,T): 3*t + k, where
+	                                 * corner k of triangle t is mapped there; -1 if none is */
 } Locator;
 
 /* Prepares to locate points of [0,1] x [0,T] in d mapped by u, v, which must outlive l.
@@ -21,11 +22,11 @@ int  locator_init(Locator *l, const Disk *d, const double *u, const double *v, d
 void locator_free(Locator *l);
 
 /* Returns the triangle that contains (x,y) and sets bary to the barycentric coordinates in it, each
- * in 0..1.  The triangle is found by a walk that starts at the table's triangle.  If no triangle
+ * in 0..1.  The triangle is found by a walk that starts at the triangle of l->start.  If no triangle
  * contains the point, which can happen among triangles that are turned over or flat, returns the
- * one whose least coordinate is largest, and sets negative coordinates to 0.  At a corner of the
- * chart the result is always the vertex mapped there, even if rounding brings other vertices as
- * near.  May be called from several threads. */
+ * one in which the least coordinate is largest, and sets negative coordinates to 0.  At a corner of
+ * the chart the result is always a corner of a triangle that is mapped exactly there, if there is
+ * one, although rounding may put other vertices equally near.  May be called from several threads. */
 int  locate(const Locator *l, double x, double y, double bary[3]);
 
 /* Like locate, but the walk starts at triangle `from`.  Where triangles are turned over and several

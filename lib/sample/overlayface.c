@@ -1,5 +1,7 @@
-/* overlayface.c - finds the face that a triangle lies in from the vertices of the given mesh that
- * its corners were computed from. */
+/* overlayface.c - the face of a triangle of a subdivision, by the supports of its corners.
+ *
+ * Each corner lies on a vertex, an edge or a face of the given mesh.  The vertices of these,
+ * taken together, are the three corners of the face in which the triangle lies. */
 #include <stdlib.h>
 
 #include "overlayface.h"
@@ -31,7 +33,7 @@ add_all(Support *s, const Support *more)
 		add(s, more->v[k]);
 }
 
-/* The support of every vertex of o, [o->d.m.nv], to be freed. */
+/* The support of every vertex of o, [o->d.m.nv], to be freed; NULL if memory runs out. */
 static Support *
 supports(const Subdivision *o)
 {
@@ -55,7 +57,7 @@ has_corner(const Mesh *m, int f, int v)
 	return c[0] == v || c[1] == v || c[2] == v;
 }
 
-/* The face with these three corners, or -1. */
+/* The face whose corners are the three vertices of a, or -1 if there is none. */
 static int
 face_of(const Mesh *m, const Stars *s, const Support *a)
 {

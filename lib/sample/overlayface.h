@@ -1,4 +1,4 @@
-/* overlayface.h - where the triangles of a finer mesh lie on the given one. */
+/* overlayface.h - the face of a mesh in which each triangle of a subdivision of it lies. */
 #ifndef OVERLAYFACE_H
 #define OVERLAYFACE_H
 
@@ -7,10 +7,10 @@
 
 /* Finds the face of m in which each triangle of o lies.
  *
- * m     the given mesh of o
- * s     the stars of m
- * face  out  [o->d.m.nf]; -1 if it cannot be determined, which happens only for triangles without
- * area
+ * m     in   the mesh that o subdivides
+ * s     in   the stars of m
+ * face  out  [o->d.m.nf]; -1 if it cannot be determined, which happens only for triangles
+ *            without area
  *
  * Returns 0 or MESH_ENOMEM. */
 int overlay_faces(const Mesh *m, const Stars *s, const Subdivision *o, int *face);

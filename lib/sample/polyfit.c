@@ -115,8 +115,8 @@ all_squares(const Polyfit *f, double whole[POLYFIT_COLS])
 }
 
 /* Householder reflection of the rows from r on, after which column c is 0 below row r.  norm is the
- * length of column c from row r on.  Columns before 4*four <= c are finished; four is a
- * compile-time constant. */
+ * length of column c from row r on.  Only columns from 4*four <= c on are updated, as those before c
+ * are not used below row r any more; four is a compile-time constant. */
 INLINE void
 reflect(Polyfit *f, int c, int r, double norm, int four)
 {

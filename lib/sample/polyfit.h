@@ -12,8 +12,8 @@ enum {
 	POLYFIT_COLS  = POLYFIT_TERMS + 3
 };
 
-/* Vertices around v[0], ring after ring; the outermost begins at ring.  slot is a hash
- * table of v: 1 more than the place of a vertex, or 0. */
+/* Vertices around v[0], ring after ring; the outermost ring begins at v[ring].  slot is a hash table
+ * that finds a vertex in v: its entries are 1 more than indices of v, or 0 if empty. */
 typedef struct Hood {
 	int           n, ring;
 	int           v[POLYFIT_MOST];
@@ -24,7 +24,8 @@ typedef struct Hood {
  * three right-hand sides, weighted differences of phi. */
 typedef struct Polyfit {
 	int    rows, rank;
-	int    term[POLYFIT_TERMS];     /* the term of each column 0 .. rank-1 of the triangle, ascending */
+	int    term[POLYFIT_TERMS];     /* [rank] for each row of the triangle its first column,
+	                                 * which is also the number of a term; ascending */
 	double to[2][2];                /* (x,y) = to (du,dv) */
 	double a[POLYFIT_MOST][POLYFIT_COLS];
 } Polyfit;

@@ -83,8 +83,8 @@ sampler_overlay(Sampler *s, const Subdivision *o, const double *u, const double 
 	return 0;
 }
 
-/* A point of the chart: w are its barycentric coordinates 1 and 2 in triangle t of the mesh, b
- * those in triangle f of the overlay. */
+/* A point of the chart.  w are its barycentric coordinates 1 and 2 in triangle t of the mesh, b
+ * those in triangle f of the overlay; coordinate 0 is 1 minus their sum. */
 typedef struct Place {
 	int    t, f;
 	double w[2], b[2];
@@ -139,7 +139,8 @@ find_places(const Sampler *s, int n, const double *x, const double *y)
 	return place;
 }
 
-/* Marks the corners of the triangles of these places whose jets have not been computed yet. */
+/* Sets the state of those corners of the triangles of these places that need a jet and have none yet
+ * to GRADIENT_WANTED. */
 static void
 mark_corners(const Mesh *m, int n, const Place *place, unsigned char *state)
 {
@@ -162,8 +163,8 @@ mark_corners(const Mesh *m, int n, const Place *place, unsigned char *state)
 	}
 }
 
-/* What is sampled: mesh m with its jets, for the triangles t of Place, and the overlay `under`, for
- * the triangles f. */
+/* The two surfaces that are sampled: mesh m with its jets, which has the triangles t of Place, and
+ * the overlay `under`, which has the triangles f. */
 typedef struct Surfaces {
 	const Mesh    *m, *under;
 	unsigned char *state;
@@ -234,7 +235,7 @@ sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double
 	return 0;
 }
 
-/* Makes the scalar f a surface xyz = (f, a u, a v) over the chart, where a is the range of f. */
+/* Sets xyz to the surface (f, a u, a v) over the chart, where f is a scalar and a its range. */
 static void
 graph(const Sampler *s, const double *f, int stride, double *xyz)
 {

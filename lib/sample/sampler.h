@@ -21,25 +21,26 @@ typedef struct Sampler {
 	Jet    *jet;            /* [nv] jets of the positions, set where state is GRADIENT_KNOWN */
 	unsigned char *state;   /* [nv] 0, or a state of gradient.h */
 	const Subdivision *overlay;     /* of sampler_overlay, or NULL; all below is for it */
-	Locator under;
-	int    *face;           /* [overlay->d.m.nf] the triangle of the mesh that each of the overlay lies in */
-	double *smooth;         /* [overlay->d.m.nv] weight of the smooth surface, linear between
-	                         * vertices: 1 there, 0 where the facets are used; the first
-	                         * numbers are those of the vertices of l.m */
+	Locator under;          /* of the triangles of the overlay */
+	int    *face;           /* [overlay->d.m.nf] for each triangle of the overlay the triangle
+	                         * of l.m in which it lies, or -1 */
+	double *smooth;         /* [overlay->d.m.nv] weight of the smooth surface at the vertices,
+	                         * linear between them: 1 smooth surface only, 0 flat facets
+	                         * only; the vertices of l.m come first */
 } Sampler;
 
-/* d mapped by u, v onto [0,1] x [0,T]; all three must outlive s.  Returns 0 or
- * SAMPLER_ENOMEM. */
+/* Prepares to sample d, mapped by u, v onto [0,1] x [0,T].  d, u and v must outlive s.  Returns 0,
+ * or SAMPLER_ENOMEM with nothing to free. */
 int  sampler_init(Sampler *s, const Disk *d, const double *u, const double *v, double T, int surface);
 void sampler_free(Sampler *s);
 
-/* For SAMPLER_SMOOTH if some triangles are turned over or flat in (u,v).  This happens although the
- * map of the surface is one to one, because the straight edges in (u,v) of a thin triangle may be
- * far from the true, curved ones.  Near such triangles the facets are sampled instead, located in a
- * subdivision of the same surface none of whose triangles is turned over.  The weight of the smooth
- * surface is given at the vertices and linear between them.
+/* Call this after sampler_init with SAMPLER_SMOOTH if some triangles are turned over or flat in
+ * (u,v).  There may be such triangles although the map of the surface is one to one, because the
+ * straight edges in (u,v) of a thin triangle may be far from the true, curved ones.  Near them the
+ * flat facets are sampled in place of the smooth surface; points are then located in a subdivision
+ * of the disk in which no triangle is turned over.  The transition is gradual: see Sampler.smooth.
  *
- * o, u, v   a subdivision of the disk of sampler_init and its map; they must outlive s.
+ * o, u, v   in   the subdivision of the disk of sampler_init, and its map; they must outlive s
  *
  * Returns 0 or SAMPLER_ENOMEM; s is to be freed in both cases. */
 int  sampler_overlay(Sampler *s, const Subdivision *o, const double *u, const double *v);
@@ -49,12 +50,14 @@ int  sampler_overlay(Sampler *s, const Subdivision *o, const double *u, const do
  * not be called by several threads at once.  Returns 0 or SAMPLER_ENOMEM. */
 int  sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double *const phi[3]);
 
-/* Samples a channel of the mesh at the same nodes in the same way: linear, or C1 and cubic.
- * out[k] is component k of c->n.  Each component f is sampled as the surface (f, a u, a v), where a
- * is the range of f, so that the limits of gradient.h and clough.h prevent overshoots at a jump.
+/* Samples a channel of the mesh at the nodes of g as sampler_grid samples positions: linear, or C1
+ * and cubic.  Each component f is sampled as the surface (f, a u, a v), where a is the range of f,
+ * so that the limits of gradient.h and clough.h prevent overshoots at a jump.
  *
  * c        in   at the vertices of the disk of sampler_init
- * out      out  [c->n], each [nv][nu] */
+ * out      out  [c->n], each [nv][nu]: component k of the channel in out[k]
+ *
+ * Returns 0 or SAMPLER_ENOMEM. */
 int  sampler_channel(const Sampler *s, const Channel *c, Chart g, const double *x, const double *y,
 	double *const out[]);
 
