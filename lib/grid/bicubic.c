@@ -16,7 +16,7 @@ static const double SLOPE[6][5][5] = {
 	        { 1/4., -4/3., 3, -4, 25/12. } }
 };
 
-/* Adds to s->w the weights of the slope at node i of 0 .. nodes-1, times weight. */
+/* Adds the weights of the slope at node i, 0 <= i < nodes, times `weight` to s->w. */
 static void
 slope(BicubicSpan *s, int nodes, int i, double weight)
 {

@@ -1,10 +1,10 @@
 /* bicubic.h - interpolation of grid fields between their nodes.
  *
- * The interpolant is piecewise bicubic and C1.  Along each direction it is, between neighbouring
- * nodes, the cubic with their values and slopes.  The slopes are differences over five nodes (over
- * all nodes if there are fewer), central inside and one-sided at the ends.  With at least four
- * nodes in each direction, polynomials of degree 3 in u and in v are exact.  For a smooth field the
- * error is of fourth order in h and k, up to the border.
+ * The interpolant is piecewise bicubic and C1.  In each direction, between two neighbouring nodes,
+ * it is the cubic with the values and slopes of these nodes.  The slopes are differences over five
+ * nodes (over all nodes if there are fewer), central inside and one-sided near the ends.  With at
+ * least four nodes in each direction, polynomials of degree up to 3 in u and in v are reproduced
+ * exactly.  For a smooth field the error is of fourth order in h and k, up to the border.
  */
 #ifndef BICUBIC_H
 #define BICUBIC_H

@@ -21,7 +21,7 @@ typedef struct Border {
 	double *s;              /* [n+1] arc length from node 0, s[n] the total */
 } Border;
 
-/* Allocates x and s.  Returns 0, or BORDER_ENOMEM with nothing to free. */
+/* Allocates x and s; the caller fills x.  Returns 0, or BORDER_ENOMEM with nothing to free. */
 int  border_init(Border *b, int nu, int nv);
 void border_free(Border *b);
 

@@ -63,7 +63,8 @@ detail_free(Detail *d)
 	free(d->sum);
 }
 
-/* Adds weight times the sums at (x,y), in grid steps; they are bilinear inside each cell. */
+/* Adds weight times the integrals d->sum at the point (x,y), given in grid steps.  Inside a cell the
+ * integrals are bilinear. */
 static void
 add_sum(const Detail *d, double x, double y, double weight, double f[7])
 {
@@ -131,8 +132,7 @@ perpendicular(const double a[3], double b[3])
 	normalise(b);
 }
 
-/* The orthonormal frame (e1, e2, n) of detail.h of the directions a and b, which are
- * overwritten. */
+/* Sets frame to e1, e2, n of detail.h for the directions a and b.  Overwrites a and b. */
 static void
 orthonormal(double a[3], double b[3], double frame[3][3])
 {
@@ -159,7 +159,8 @@ orthonormal(double a[3], double b[3], double frame[3][3])
 	cross3(frame[0], frame[1], frame[2]);
 }
 
-/* The frame of the window of half width r and half height rv.  Returns the scale s of detail.h. */
+/* Computes the frame of the window round (u,v) of half width r and half height rv.  Returns the scale
+ * s of detail.h. */
 static double
 frame_at(const Detail *d, double u, double v, double r, double rv, double frame[3][3])
 {
@@ -172,7 +173,7 @@ frame_at(const Detail *d, double u, double v, double r, double rv, double frame[
 	return sqrt(fmax(f[6], 0)/area);
 }
 
-/* Whether the area on the surface of the window of half side r is at least side^2. */
+/* Whether the window of half side r has an area of at least side^2 on the surface. */
 static int
 reaches(const Detail *d, double u, double v, double r, double side)
 {

@@ -31,8 +31,9 @@ bound(const GridTree *t, const Mesh *m, const double *u, const double *v, Chart 
 	return most;
 }
 
-/* The true distance of the vertex with the largest bound is a lower bound of the result, so only
- * vertices with upper bounds above it need a search. */
+/* Sets loss->vertex, and loss->farthest as a length.  d2 are the bounds, `most` is the vertex with the
+ * largest one.  Its true distance is a lower bound of the result, so only vertices with upper bounds
+ * above it need a search. */
 static void
 find_farthest(const GridTree *t, const Mesh *m, double *d2, int most, GridLoss *loss)
 {

@@ -14,13 +14,14 @@
  * Returns 0; or MESH_ENOMEM, also if there are too many triangles for int, with nothing to free. */
 int mesh_from_grid(Mesh *m, int nu, int nv, const double *x, const double *y, const double *z);
 
-/* The two triangles of the cell whose node of lowest number is p: tri has their vertices.  Returns
+/* Sets tri to the vertices of the two triangles of the cell whose lowest node number is p.  Returns
  * how many of the two have no area. */
 int gridmesh_cell(const Mesh *m, int p, int nu, int tri[6]);
 
-/* Gives area to the faces without area of a mesh of mesh_from_grid: the nodes of their cells move
- * towards the mean of their neighbours along u and v, by 1/1024 of the way at first, and farther in
- * each round that this is not enough.  The corners of the grid stay.
+/* Moves nodes of a mesh of mesh_from_grid so that faces without area get area.  In each round the
+ * nodes of the cells of these faces move towards the mean of their neighbours along u and v: by
+ * 1/1024 of the way in the first round, by twice as much in each further one, and at most all the
+ * way.  There are at most 24 rounds.  The corners of the grid stay.
  *
  * single   in   1: coordinates are rounded to float, and stay floats.  All nodes that then coincide
  *               move, not only neighbours, because readers of STL weld vertices that coincide
@@ -28,7 +29,7 @@ int gridmesh_cell(const Mesh *m, int p, int nu, int tri[6]);
  *               coincide: the surface there is a line or a point, or its cells are smaller than the
  *               rounding error of the coordinates
  *
- * Returns 0, or MESH_ENOMEM; m is a mesh in both cases. */
+ * Returns 0 or MESH_ENOMEM; m remains a complete mesh in both cases. */
 int gridmesh_part(Mesh *m, int nu, int nv, int single, int *left);
 
 #endif

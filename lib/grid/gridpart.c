@@ -12,8 +12,8 @@ enum { ROUNDS = 24 };
 typedef struct Nodes {
 	Mesh          *m;
 	int            nu, nv, single;
-	unsigned char *moves;           /* [nv][nu] */
-	double        *to;              /* [nv][nu][3], where moves is set */
+	unsigned char *moves;           /* [nv][nu] 1: the node is marked to be moved */
+	double        *to;              /* [nv][nu][3] new positions of the marked nodes */
 } Nodes;
 
 static void
@@ -90,7 +90,8 @@ move_towards_mean(const Nodes *n, int i, int j, double share, double to[3])
 		to[c] = x[c] + share*sum[c]/count;
 }
 
-/* Moves all marked nodes, each by the old positions of its neighbours, and clears the marks. */
+/* Moves all marked nodes except corners of the grid, and clears the marks.  Each new position follows
+ * from the old positions of the neighbours. */
 static void
 move_marked(const Nodes *n, double share)
 {

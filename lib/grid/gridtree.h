@@ -1,8 +1,8 @@
 /* gridtree.h - the distance of points from a gridded surface, by a pyramid of boxes.
  *
- * The lowest level has one box for each block of 4 x 4 cells.  A box of the next level contains 2 x
- * 2 of these, and so on up to a single box.  A search goes down into the nearest box first, and
- * leaves out boxes that are farther than the smallest distance found so far.
+ * The lowest level has one box for each block of 4 x 4 cells.  A box of the next higher level
+ * contains a square of four of these, and so on up to a single box.  A search goes down into the
+ * nearest box first, and leaves out boxes that are farther than the smallest distance found so far.
  */
 #ifndef GRIDTREE_H
 #define GRIDTREE_H
@@ -14,8 +14,9 @@ enum { GRIDTREE_LEVELS = 16 };
 typedef struct GridTree {
 	const Mesh *m;          /* of mesh_from_grid, must outlive the tree */
 	int     ncu, ncv;       /* cells along u and v */
-	int     levels, nu[GRIDTREE_LEVELS], nv[GRIDTREE_LEVELS];
-	double *box[GRIDTREE_LEVELS];   /* [nv][nu][6] lowest x y z, highest x y z; box[0]: all */
+	int     levels, nu[GRIDTREE_LEVELS], nv[GRIDTREE_LEVELS];       /* boxes along u and v */
+	double *box[GRIDTREE_LEVELS];   /* [nv][nu][6] lowest x y z, highest x y z; box[0] is the
+	                                 * single box, box[levels-1] the lowest level */
 } GridTree;
 
 /* nu x nv is the number of nodes of the grid of m.  Returns 0 or MESH_ENOMEM, with nothing to

@@ -28,7 +28,8 @@ at_node(Chart g, const double *const phi[3], int curvature, int i, int j, double
 }
 
 /* Raises lambda to at least 1e-4 of its root mean square, because log lambda and 1/lambda are
- * needed, and sets H to 0 where lambda was raised or H is not finite. */
+ * needed, and sets H to 0 where lambda was raised or H is not finite.  Where H is infinite, lambda is
+ * set to this bound, too. */
 static LambdahFlaws
 repair(Chart g, double *lambda, double *H)
 {
@@ -79,7 +80,7 @@ extend(int n, int first, int stride, int in, double *lambda, double *H)
 	}
 }
 
-/* Extrapolates to the nodes of each open side. */
+/* Extrapolates to the nodes of each open side.  v = 0 and v = T come last and include the corners. */
 static void
 extend_sides(Chart g, double *lambda, double *H)
 {

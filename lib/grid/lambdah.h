@@ -12,9 +12,10 @@ enum {
 	                         * it contains a tangential error */
 };
 
-/* How many inner nodes have a lambda or H that differs from what the equations give. */
+/* The numbers of inner nodes at which lambda or H were replaced. */
 typedef struct LambdahFlaws {
-	int raised;             /* lambda was too small, or H infinite: lambda is least, H is 0 */
+	int raised;             /* lambda was below its lower bound, or H infinite: lambda is set to
+	                         * that bound, H to 0 */
 	int parallel;           /* phi_u and phi_v were parallel up to rounding: H is 0 */
 } LambdahFlaws;
 
@@ -29,7 +30,7 @@ typedef struct LambdahFlaws {
  * next two rings: the ratio for lambda is limited to [1/2, 2], and the increment of H to |H| on the
  * next ring.  doc/mathematics.md 4.3, 4.4.
  *
- * lambda is at least 1e-4 of its root mean square.  phi, lambda and H are [nv][nu].
+ * At inner nodes lambda is at least 1e-4 of its root mean square.  phi, lambda and H are [nv][nu].
  *
  * The Gauss curvature K = -(Delta log lambda)/lambda^2 (10) follows from lambda; no program
  * needs it. */
@@ -39,9 +40,9 @@ LambdahFlaws lambdah(Chart g, const double *const phi[3], int curvature, double 
  * grid has more than 24 nodes in both directions. */
 void lambdah_limit_corners(Chart g, double *H);
 
-/* The residual channels: what lambda and H do not say about the first derivatives and the Laplacian
- * of phi when the grid is not quite conformal (doc/mathematics.md 6.7).  They are 0 at nodes that
- * are not inner nodes.
+/* The residual channels: the part of the first derivatives and of the Laplacian of phi that lambda
+ * and H do not determine when the grid is not quite conformal (doc/mathematics.md 6.7).  They are
+ * computed at inner nodes and 0 at all others.
  *
  *   nu[0] = (|phi_u|^2 - |phi_v|^2)/(2 lambda^2)     tau[0] = <Delta phi, phi_u>/lambda^2
  *   nu[1] = <phi_u, phi_v>/lambda^2                  tau[1] = <Delta phi, phi_v>/lambda^2 */

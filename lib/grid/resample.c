@@ -29,8 +29,8 @@ axis_init(Axis *a, int n, int most)
 	return a->first && a->count && a->weight ? 0 : RESAMPLE_ENOMEM;
 }
 
-/* Weights of Lagrange interpolation by four nodes round each new place (by all, if there are
- * fewer). */
+/* Computes the weights of Lagrange interpolation from four nodes round each new node (from all nodes,
+ * if there are fewer). */
 static int
 cubic_axis(Axis *a, int from, double end, int to)
 {

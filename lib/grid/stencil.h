@@ -1,12 +1,12 @@
 /* stencil.h - finite differences on the nodes of a chart.
  *
- * Inner nodes are those on no open side of the chart (chart.h); they have central differences and
- * the five-point Laplacian.  Neighbours beyond a joined side are defined by the chart.  On an open
- * side first differences are one-sided, and of second order, too.
+ * Inner nodes are those that lie on no open side of the chart (chart.h); they have central
+ * differences and the five-point Laplacian.  Neighbours beyond a joined side are defined by the
+ * chart.  On an open side first differences are one-sided, and of second order, too.
  *
  * There are two versions of the differences: for one node, and for four nodes of a row at a time.
- * The first divides by the steps, the second multiplies by inverse steps, so results differ in last
- * bits.
+ * The first divides by the steps, the second multiplies by inverse steps, so their results differ in
+ * the last bits.
  */
 #ifndef STENCIL_H
 #define STENCIL_H
@@ -22,14 +22,14 @@ typedef struct Range {
 	int from, to;
 } Range;
 
-/* The inner nodes along u (axis 0) or v (axis 1); the number of inner nodes of the grid; and
- * whether node (i,j) is one. */
+/* The range of inner nodes along u (axis 0) or v (axis 1); the number of inner nodes of the grid; and
+ * whether node (i,j) is an inner node. */
 Range  stencil_inner(Chart g, int axis);
 size_t stencil_inner_count(Chart g);
 int    stencil_is_inner(Chart g, int i, int j);
 
-/* The places whose stencils are complete and contain a node of the grid: the inner nodes, and the
- * places one step beyond joined sides. */
+/* The range, along an axis, of the places (i,j) whose stencils are complete and contain a node of the
+ * grid: the inner nodes, and the places one step beyond joined sides. */
 Range stencil_reach(Chart g, int axis);
 
 /* The node at (i,j), which may lie up to two steps beyond joined sides; *sign is multiplied
@@ -45,8 +45,8 @@ stencil_node(Chart g, int i, int j, int *sign)
 /* ---- one node -------------------------------------------------------- */
 
 /* The sum w[0] f[node[0]] + w[1] f[node[1]] + w[2] f[node[2]] for a field f.  The weights are
- * integers: the sum is to be divided by twice the step for a first derivative, by its square for a
- * second. */
+ * integers: the sum is to be divided by twice the step for a first derivative, by the square of the
+ * step for a second. */
 typedef struct Stencil {
 	size_t node[3];
 	double w[3];
@@ -58,11 +58,12 @@ stencil_sum(const Stencil *s, const double *f)
 	return s->w[0]*f[s->node[0]] + s->w[1]*f[s->node[1]] + s->w[2]*f[s->node[2]];
 }
 
-/* Order 1: 2h f_u (axis 0) or 2k f_v (axis 1) at any node (i,j), central, or one-sided on an open
- * side.  Order 2: h^2 f_uu (axis 0) or k^2 f_vv (axis 1) at an inner node (i,j). */
+/* The stencil of a derivative of order 1 or 2 at node (i,j).  Order 1: the sum is 2h f_u (axis 0) or
+ * 2k f_v (axis 1), at any node, central, or one-sided on an open side.  Order 2: the sum is h^2 f_uu
+ * (axis 0) or k^2 f_vv (axis 1), at an inner node. */
 Stencil stencil_at(Chart g, int axis, int order, int i, int j);
 
-/* The same at a node all of whose neighbours are in the grid (stencil_is_within). */
+/* The same at a node whose neighbours are all in the grid (stencil_is_within). */
 INLINE Stencil
 stencil_within(Chart g, int axis, int order, int i, int j)
 {
@@ -87,7 +88,7 @@ stencil_sum3(const Stencil *s, const double *const phi[3], double divisor, doubl
 		d[c] = stencil_sum(s, phi[c])/divisor;
 }
 
-/* phi_u and phi_v, of second order, at any node. */
+/* phi_u and phi_v at any node; the error is of second order in h and k. */
 INLINE void
 stencil_tangents(Chart g, const double *const phi[3], int i, int j, double phi_u[3], double phi_v[3])
 {
@@ -133,13 +134,14 @@ typedef double Nodes __attribute__((vector_size(NODES*sizeof(double))));
 typedef struct Quad {
 	Chart  g;
 	double per_h, per_k;    /* 1/h, 1/k */
-	int    i, j, to, count; /* to: end of the row */
+	int    i, j, to, count; /* to: end of the range of nodes in row j */
 	size_t p;               /* number of node (i,j) */
 	int    inside;          /* count is NODES, and all neighbours are nodes of the grid */
 } Quad;
 
-/* Loads f at (i,j), (i+1,j), .., count places, into the lanes x.  A place may lie beyond a joined
- * side: the chart then defines its node and, if f is odd, the sign of f there. */
+/* Loads f at the `count` places (i,j), (i+1,j), .. into the lanes x; the other lanes repeat the first.
+ * A place may lie beyond a joined side: the chart then defines the node that is read and, if f is
+ * odd, the sign of f there. */
 void quad_beside(Chart g, const double *f, int i, int j, int count, int odd, double x[NODES]);
 
 INLINE void
@@ -228,9 +230,11 @@ quad_differences(const Quad *q, const double *f, Nodes u[3], Nodes v[3], Nodes L
 
 /* The transpose of quad_differences: row j of D_u'f_u + D_v'f_v + Delta'f_L, at the nodes i in r.
  *
- * u        in   f_u in row j, indices -1 .. nu; 0 outside the places of stencil_reach
- * v, L     in   f_v and f_L, likewise, in rows j-1, j, j+1.  At places beyond a side all three have
- *               the signs and the directions of u and v that hold there
+ * u        in   f_u in row j, indices -1 .. nu; 0 outside the places of stencil_reach.  A place
+ *               beyond a joined side has the value of the node that the chart defines for it, with
+ *               the sign reversed if the directions of u and v are reversed there (chart.h)
+ * v        in   f_v in rows j-1, j, j+1, likewise
+ * L        in   f_L in these rows, likewise, but without change of sign
  * out      out  row j; nodes outside r are not changed */
 INLINE void
 stencil_transposed(Chart g, Range r, const double *u, const double *const v[3],
