@@ -55,8 +55,8 @@ correlation_init(Correlation *q, int n)
 	return CURVEMATCH_ENOMEM;
 }
 
-/* Fourier transforms of the three coordinates of a curve, after subtracting their means.  Returns
- * the sum of the squares of these differences. */
+/* Subtracts from each coordinate of a curve its mean, and sets f to the Fourier transforms.  Returns
+ * the sum of the squares of the coordinates without their means. */
 static double
 transform(Correlation *q, const double *x, fftw_complex *f[3])
 {
@@ -75,8 +75,8 @@ transform(Correlation *q, const double *x, fftw_complex *f[3])
 	return sum;
 }
 
-/* C_kl(s) = sum over i of a_k(i) b_l(i+s).  The transform of C_kl is conj(A_k) B_l, where A and B
- * are the transforms of a and b. */
+/* Computes C_kl(s) = sum over i of a_k(i) b_l(i+s) for all s.  The transform of C_kl is
+ * conj(A_k) B_l, where A and B are the transforms of a and b. */
 static void
 correlate(Correlation *q, int k, int l)
 {

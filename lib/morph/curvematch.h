@@ -24,9 +24,10 @@ enum {
  * Returns 0, CURVEMATCH_ENOMEM or CURVEMATCH_EVALUE. */
 int curvematch(int n, const double *a, const double *b, double *rms, double *angle);
 
-/* The shift with the smallest rms.  If other local minima of rms are at most `clear` >= 1 times as
- * large, returns the one among all these that rotates b least.  The outline of a face, for example,
- * fits nearly as well upside down, but in most files faces are upright. */
+/* Returns the shift with the smallest rms, unless there are other local minima of rms that are at
+ * most `clear` >= 1 times as large: among all these shifts it returns the one with the smallest
+ * angle.  For example, the outline of a human face fits nearly as well upside down, but in most
+ * files heads are upright. */
 int curvematch_choose(int n, const double *rms, const double *angle, double clear);
 
 /* The smallest local minimum of rms among shifts that differ from `shift` by at least n/8; HUGE_VAL

@@ -6,9 +6,9 @@
 #include "matching.h"
 #include "../base/vec3.h"
 
-/* The nodes and landmarks of a border, in order.  A point has the key i + f if it lies between
- * landmarks i and i + 1, at the fraction f of the arc length between them.  r is its place, x its
- * position. */
+/* The nodes and landmarks of a border, in counterclockwise order.  A point has the key i + f if it
+ * lies between landmarks i and i + 1, at the fraction f of the arc length between them.  r is its
+ * place, x its position. */
 typedef struct Keyed {
 	int     n;
 	double *key, *r, *x;
@@ -47,8 +47,9 @@ append(Keyed *l, double key, double r, const double x[3])
 	l->n++;
 }
 
-/* Appends landmark i and the nodes between landmarks i and i + 1.  *k is the first node after
- * landmark i, on return the first one after landmark i + 1. */
+/* Appends landmark i and the nodes between landmarks i and i + 1.  The search for nodes starts at
+ * node *k; on return *k is the first node at or after landmark i + 1.  Nodes are counted on after one
+ * turn: b->n is node 0 again. */
 static int
 append_part(Keyed *l, const Border *b, int n, const double *p, int i, int *k)
 {
@@ -119,7 +120,7 @@ put_key(Matching *m, int k, const Keyed *l, int i, double key)
 		m->x[k][3*m->n + c] = (1 - w)*p[c] + w*q[c];
 }
 
-/* Merges both lists by their keys.  The last keys of the lists are equal. */
+/* Merges both lists by their keys.  The last keys of the lists are equal, so both end together. */
 static void
 merge(Matching *m, const Keyed *a, const Keyed *b)
 {
@@ -157,8 +158,8 @@ matching_alloc(Matching *m, size_t n)
 	return MATCHING_ENOMEM;
 }
 
-/* Adds a multiple of 4, full turns, to the places of b, so that on average pairs move the shorter
- * way round. */
+/* Adds a multiple of 4, that is, full turns, to the places on b, so that on average the pairs move
+ * the shorter way round. */
 static void
 add_turns(Matching *m)
 {

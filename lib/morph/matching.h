@@ -38,7 +38,9 @@ typedef struct Matching {
  * index of the first place that breaks the order, or n. */
 int matching_order(int n, const double *place);
 
-/* p, q  in   [n] places in counterclockwise order, n >= 1
+/* Finds the pairs for n landmarks.
+ *
+ * p, q  in   [n] places of the landmarks on a and on b, counterclockwise, n >= 1
  * at    out  with MATCHING_ELENGTH: the first of the two landmarks
  *
  * Returns 0, or a negative code with nothing to free. */
@@ -50,8 +52,8 @@ int  matching_init(Matching *m, const Border *a, const Border *b, int n, const d
 int  matching_conformal(Matching *m, const Border *a, const Border *b);
 void matching_free(Matching *m);
 
-/* Sets w[m->n], a weight of each pair: half the length of the edges at the point, divided by the
- * length of its curve, added up for both curves. */
+/* Sets w, [m->n], to a weight for each pair, by arc length: half the length of the edges at a point
+ * divided by the length of its curve, summed over the two points of the pair. */
 void matching_weights(const Matching *m, double *w);
 
 /* Sets x to the point at place r, 0 <= r < 4, of the interpolated border at parameter t. */

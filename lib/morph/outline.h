@@ -16,17 +16,19 @@ enum {
 typedef struct Outline {
 	int     n;
 	double *x;              /* [n][3] */
-	double *place;          /* [n+1] place[k] is the place on the outline of the point at
-	                         * place k/n on the curve; places as in outline_place */
+	double *place;          /* [n+1] the point at place k/n of the curve is at place[k] of the
+	                         * outline; see outline_place for what a place is */
 } Outline;
 
-/* Computes the outline, with n points, of the closed polygon x[m][3].  Both start at the same
- * point.  Returns 0, or OUTLINE_ENOMEM or OUTLINE_EVALUE with nothing to free. */
+/* Computes the outline, with n points, of the closed polygon x, [m][3].  Point 0 of the outline
+ * corresponds to point 0 of the polygon.  Returns 0, or OUTLINE_ENOMEM or OUTLINE_EVALUE with nothing
+ * to free. */
 int  outline_init(Outline *o, int n, int m, const double *x);
 void outline_free(Outline *o);
 
-/* outline_place converts a place on the curve to the place on the outline, outline_back does the
- * reverse.  A place is the arc length from the start divided by the whole length, 0 .. 1. */
+/* outline_place converts a place on the curve to the corresponding place on the outline;
+ * outline_back does the reverse.  A place on a curve is the arc length from point 0 to it divided by
+ * the length of the curve, 0 .. 1. */
 double outline_place(const Outline *o, double place);
 double outline_back(const Outline *o, double place);
 
