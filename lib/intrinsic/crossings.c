@@ -65,14 +65,14 @@ crossings_across(const Intrinsic *t, Crossing a)
 	return (Crossing){ t->twin[a.side], crossings_on(t, a.side) - 1 - a.at };
 }
 
-/* The mesh edges that cross the new edge, collected so far in order. */
+/* The mesh edges found so far that cross the new edge, in order from its start. */
 typedef struct List {
 	int *edge, n;
 } List;
 
 /* Adds the mesh edges that enter the triangle of h by its side `outer` and cross the new edge.  A
- * mesh edge that leaves this triangle by h crosses the new edge only if it leaves the triangle of
- * the twin by side `turning`. */
+ * mesh edge that leaves this triangle by h crosses the new edge only if it leaves the triangle
+ * beyond h by side `turning`. */
 static void
 add_from_outer_side(const Intrinsic *t, int h, int outer, int turning, List *l)
 {
@@ -91,8 +91,8 @@ add_from_outer_side(const Intrinsic *t, int h, int outer, int turning, List *l)
 	}
 }
 
-/* Adds the mesh edges that go from the corner opposite to `side` across `side`, in their order from
- * its end to its start. */
+/* Adds the mesh edges that go from the corner opposite to `side` across `side`, in the order from the
+ * end of `side` to its start. */
 static void
 add_from_corner(const Intrinsic *t, int side, List *l)
 {
@@ -120,8 +120,8 @@ mesh_edge_along(const Intrinsic *t, int h)
 }
 
 /* Let side h run from i to j, with k the corner opposite to h and l the corner opposite to its twin
- * g.  The new edge goes from k to l.  In this order it crosses the mesh edges that come across ki,
- * those that start at i (ij among them, if it is one), and those that come across il. */
+ * g.  The new edge goes from k to l.  It crosses, in this order, mesh edges that come across ki, the
+ * mesh edges that start at i (also ij, if that is a mesh edge), and mesh edges that come across il. */
 int
 crossings_flip(Intrinsic *t, int h)
 {

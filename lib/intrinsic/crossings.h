@@ -41,7 +41,7 @@ typedef struct Crossing {
  * leaves the triangle; at = -1 if it ends at the corner opposite to h instead. */
 Crossing crossings_follow(const Intrinsic *t, int h, int p);
 
-/* The same crossing as a crossing of the twin of its side. */
+/* The same crossing, given on the twin of its side. */
 Crossing crossings_across(const Intrinsic *t, Crossing a);
 
 #endif

@@ -17,7 +17,8 @@ int edgepoints_middles(const Intrinsic *t, const Disk *mesh, const unsigned char
 
 /* For each boundary edge with an obtuse angle opposite to it, adds the foot of the perpendicular
  * from that corner to the edge.  With such an angle, the triangulation together with its mirror
- * image beyond the boundary would not be Delaunay.  Returns 0 or INTRINSIC_ENOMEM. */
+ * image beyond the boundary would not be Delaunay.  Edges up to INTRINSIC_SHORTEST and feet within 1 %
+ * of an end of the edge are left out.  Returns 0 or INTRINSIC_ENOMEM. */
 int edgepoints_feet(const Intrinsic *t, EdgePoints *points);
 
 #endif

@@ -7,13 +7,13 @@
 #include "flips.h"
 
 enum { FLIPS = 20, SOME = 200000 };     /* at most FLIPS*nf + SOME flips */
-static const double COCIRCULAR = 1e-8; /* two cotangents count as opposite if their sum is this small,
-                                         * relative to them or to 1: either diagonal is Delaunay */
-static const double EQUAL = 1e-9;       /* difference of equal keys */
+static const double COCIRCULAR = 1e-8; /* both diagonals count as Delaunay if the sum of the two
+                                         * cotangents is at most this times 1 plus their moduli */
+static const double EQUAL = 1e-9;       /* keys that differ by at most this count as equal */
 
 /* The data of a side while it is renumbered. */
 typedef struct Moved {
-	int twin, edge, leads;  /* leads: 1 if it gives its edge its direction */
+	int twin, edge, leads;  /* leads: 1 if the side gives its edge the direction */
 } Moved;
 
 static Moved
@@ -81,9 +81,10 @@ is_higher(const double *key, int i, int j, double x, int k, int l, double y)
 	return key && key[i] + x*(key[j] - key[i]) > key[k] + y*(key[l] - key[k]) + EQUAL;
 }
 
-/* Whether to flip the edge of side h: it is not Delaunay, or both diagonals are and the other one
- * has the smaller key where they cross.  The keys act as heights over the plane of cocircular
- * vertices.  Such flips lead to the lower convex hull, whatever triangulation they begin with. */
+/* Whether to flip the edge of side h: if it is not Delaunay, or if both diagonals are Delaunay and
+ * the other one has the smaller key where they cross.  The keys act as heights over the plane of
+ * cocircular vertices: such flips lead to the lower convex hull of these heights, whatever
+ * triangulation they begin with. */
 static int
 is_to_flip(const Intrinsic *t, const double *key, int h)
 {

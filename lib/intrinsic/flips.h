@@ -14,14 +14,14 @@
 int  intrinsic_improve(Subdivision *s, const double *key);
 
 /* Flips edges until the triangulation is Delaunay: the two angles opposite to an inner edge sum to
- * at most pi.  If the four vertices lie on a circle, both diagonals are Delaunay.  Then the
- * diagonal is taken on which the key, interpolated linearly, is smaller where the two cross, so
- * that the result does not depend on the numbering.
+ * at most pi.  If the four vertices of its two triangles lie on a circle, both diagonals are
+ * Delaunay.  Then the diagonal is chosen on which the key, interpolated linearly, is smaller where
+ * the two cross, so that the result does not depend on the numbering.
  *
- * key  in  [nv] numbers that are not a linear function on any four such vertices; or NULL: either
- *          diagonal may remain
+ * key  in  [nv] a number for each vertex, not a linear function of position on any four such
+ *          vertices; or NULL: either diagonal may remain
  *
- * Stops after 20 flips per triangle plus 200000, in case rounding makes it flip for ever.
+ * Stops after 20 flips per triangle plus 200000, as rounding could make it flip for ever.
  * Returns 0 or INTRINSIC_ENOMEM. */
 int  intrinsic_delaunay(Intrinsic *t, const double *key);
 

@@ -6,11 +6,11 @@
 #include "../base/vec3.h"
 #include "intrinsic.h"
 
-static const double THIN = 1e-10;        /* two sides exceed the third by at least this
+static const double THIN = 1e-10;       /* two sides together exceed the third by at least this
                                          * times the shortest */
 enum { PASSES = 100 };                  /* rounds of mollification, at most */
-static const double STEEPEST = 1e10;    /* largest cotangent: a larger one would make the others of
-					 * its row vanish in rounding */
+static const double STEEPEST = 1e10;    /* largest cotangent: beside a larger one, the others in its
+                                         * row of the matrix would vanish in rounding */
 
 static int
 allocate(Intrinsic *t)
@@ -85,8 +85,8 @@ intrinsic_init(Intrinsic *t, const Disk *d)
 	return 0;
 }
 
-/* Returns by how much the shortest edge of triangle f must grow; not above 0 if it is long
- * enough. */
+/* Sets *shortest to the shortest edge of triangle f.  Returns by how much it must grow; at most 0 if
+ * it is long enough. */
 static double
 shortfall(const Intrinsic *t, int f, int *shortest)
 {

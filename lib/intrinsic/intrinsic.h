@@ -39,9 +39,9 @@ typedef struct Intrinsic {
 int  intrinsic_init(Intrinsic *t, const Disk *d);
 void intrinsic_free(Intrinsic *t);
 
-/* Lengthens the shortest edge of each triangle that is flat up to rounding, until two sides exceed
- * the third by 1e-10 of the shortest, in at most 100 rounds.  Flat triangles have no usable
- * angles.  Call it before any flip.  Returns 0 or INTRINSIC_ENOMEM. */
+/* Lengthens the shortest edge of each triangle that is flat up to rounding, until any two sides
+ * together exceed the third by 1e-10 of the shortest, in at most 100 rounds.  Flat triangles have no
+ * usable angles.  Call it before any flip.  Returns 0 or INTRINSIC_ENOMEM. */
 int  intrinsic_mollify(Intrinsic *t);
 
 static inline int
@@ -80,9 +80,9 @@ void intrinsic_cotangent_parts(const Intrinsic *t, int side, double *above, doub
 /* The cotangent of the angle opposite to a side; at most 1e10 in modulus. */
 double intrinsic_cotangent(const Intrinsic *t, int side);
 
-/* The foot of the perpendicular from the corner opposite to a side.  Returns its signed distance
- * from the start of the side; it lies outside the side if an angle at the side is obtuse.  *height
- * is the length of the perpendicular. */
+/* Computes the foot of the perpendicular from the corner opposite to a side.  Returns the signed
+ * distance of the foot from the start of the side.  The foot lies outside the side if an angle at
+ * the side is obtuse.  *height is the length of the perpendicular. */
 double intrinsic_foot(const Intrinsic *t, int side, double *height);
 
 #endif

@@ -45,8 +45,8 @@ add_polygon(Overlaid *o, int n, const int *corner)
 	}
 }
 
-/* Adds the part of a triangle that the pieces round the corner at the start of side h cut off: a
- * triangle at the corner, then a quadrilateral between each two neighbouring pieces. */
+/* Mesh edges cut off the corner of a triangle at which side h starts.  Adds the parts between these
+ * pieces: a triangle at the corner, then a quadrilateral between each two neighbouring pieces. */
 static void
 add_round_corner(Overlaid *o, int h, int pieces)
 {
@@ -62,9 +62,9 @@ add_round_corner(Overlaid *o, int h, int pieces)
 	}
 }
 
-/* The corners of the middle polygon near the corner at which side h starts: that corner, or,
- * if pieces cut it off, the two ends of the piece farthest from it, counterclockwise.  Returns how
- * many corners these are. */
+/* The middle polygon of a triangle is what remains when its corners are cut off.  Finds its corners
+ * near the start of side h: the vertex there or, if pieces cut it off, the two ends of the piece
+ * farthest from it, counterclockwise.  Returns how many corners these are. */
 static int
 remaining_corner(const Overlaid *o, int h, int pieces, int corner[2])
 {
@@ -189,8 +189,8 @@ add_crossings(const Overlaid *o, Subdivision *s)
 }
 
 /* Fills twin: pairs sides that run between the same two vertices in opposite directions.  Two edges
- * may have the same ends if they were too short to be split.  More than two sides then fit, and any
- * two of opposite direction are paired.  first, at: workspace, [nv+2] and [3*nf]. */
+ * may have the same two ends if they were too short to be split.  More than two sides then match, and
+ * any two of opposite direction are paired.  first, at: workspace, [nv+2] and [3*nf]. */
 static void
 match_sides(int nv, int nf, const int *tri, int *first, int *at, int *twin)
 {

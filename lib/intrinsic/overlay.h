@@ -13,8 +13,8 @@
 
 /* Makes the common subdivision, and continues the map to it.
  *
- * s      in   the mesh of t
- *        out  the common subdivision
+ * s      in   the subdivision whose disk is the mesh of t
+ *        out  the common subdivision; s->inner is not kept
  * u, v   in   [t->nv] the map at the vertices
  *        out  [s->d.m.nv] the map at the vertices and crossings; reallocated
  *

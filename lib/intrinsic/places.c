@@ -6,16 +6,15 @@
 #include "crossings.h"
 #include "places.h"
 
-/* One crossing of a mesh edge, in the plane that the triangles along it are unfolded into: the side
- * through which the mesh edge leaves a triangle, and the positions of the end and start of that
- * side. */
+/* One crossing of a mesh edge: the side through which the mesh edge leaves a triangle, and the
+ * positions of the end and the start of that side in the plane of the Strand. */
 typedef struct Step {
 	Crossing     at;
 	double complex end, start;
 } Step;
 
-/* A mesh edge and the triangles that it crosses, unfolded into the plane.  The mesh edge starts at
- * 0. */
+/* A mesh edge and the triangles that it crosses, unfolded into the plane of complex numbers.  The
+ * mesh edge starts at 0. */
 typedef struct Strand {
 	Step          *step;
 	int            n, room;

@@ -14,8 +14,8 @@ typedef struct Places {
 	double *on_edge;        /* [first[ne]] 0..1 along the edge, ascending */
 } Places;
 
-/* Unfolds the triangles along each edge of the mesh into the plane.  Returns 0 or INTRINSIC_ENOMEM;
- * p then holds nothing to free. */
+/* Computes the places by unfolding the triangles along each edge of the mesh into the plane.  Returns
+ * 0, or INTRINSIC_ENOMEM with nothing to free. */
 int  places_init(const Intrinsic *t, Places *p);
 void places_free(Places *p);
 
