@@ -89,7 +89,7 @@ places(void **state)
 	border_free(&b);
 }
 
-/* border_nearest is no farther from the point than the best of 4000 places. */
+/* The place that border_nearest finds is no farther from the point than the best of 4000 places. */
 static void
 nearest(void **state)
 {

@@ -60,7 +60,7 @@ drop(Sheet *s)
 	free(s->y);
 }
 
-/* Samples channel c at the nodes of s->g; the caller frees each of out. */
+/* Samples channel c at the nodes of s->g; the caller frees every out[k]. */
 static void
 sampled(const Sheet *s, int surface, const Channel *c, double *out[])
 {

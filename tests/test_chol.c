@@ -1,5 +1,5 @@
 /* test_chol.c - chol.h, sparse Cholesky solves: the solution must be the vector from which the
- * right-hand side was computed, and failing pivots those of dense elimination. */
+ * right-hand side was computed, and the pivot that fails must be the one of dense elimination. */
 #include "cmock.h"
 
 #include <math.h>
@@ -24,8 +24,8 @@ room(size_t n, size_t size)
 	return p;
 }
 
-/* Gives the pattern random values: each diagonal entry is the sum of |a_ij| over its row plus 0.1,
- * so the matrix is positive definite. */
+/* Gives the off-diagonal entries random values, and sets each diagonal entry to the sum of |a_ij| over
+ * its row plus 0.1, so that the matrix is positive definite. */
 static void
 set_values(System *s, unsigned long long *seed)
 {
@@ -177,8 +177,8 @@ held_vertices(void **state)
 	}
 }
 
-/* The solution is right if fronts are so large that several tasks factor them: a full matrix is a
- * single front, a square mesh has several. */
+/* The solution is also right if fronts are so large that several tasks factor one of them: a full
+ * matrix is a single front, a square mesh has several. */
 static void
 large_fronts(void **state)
 {
@@ -251,8 +251,8 @@ inverse_is_its_own_adjoint(void **state)
 	drop(&s);
 }
 
-/* The vertex of the first pivot that is not positive when the matrix is eliminated in this order as
- * a dense matrix, or -1 if all pivots are positive. */
+/* Eliminates the matrix in this order as a dense matrix.  Returns the vertex of the first pivot that
+ * is not positive, or -1 if all are positive. */
 static int
 first_to_fail(const System *s, const int *order)
 {

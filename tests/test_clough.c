@@ -124,8 +124,8 @@ on_side(const Mesh *m, int t, int i, int j, double x, double b[3])
 		b[k] = m->tri[3*t + k] == i ? 1 - x : m->tri[3*t + k] == j ? x : 0;
 }
 
-/* Adds random numbers to the jets, so that they belong to no surface; for a small `size` they are
- * not limited. */
+/* Adds random numbers of up to `size` to the jets, so that they belong to no surface.  If size is small,
+ * clough_eval does not limit the derivatives. */
 static void
 random_jets(Charted *s, uint64_t seed, double size)
 {
@@ -211,9 +211,10 @@ exact_at_vertices(void **state)
 	charted_free(&s);
 }
 
-/* The derivative at a point of side i j along the unit normal of this side in the (u,v) plane.  It
- * is the derivative towards the centroid of t minus its part along the side.  The normal depends
- * only on i and j, so both triangles at the side give the same derivative if it is continuous. */
+/* The derivative at the point (1-x) i + x j of side i j, along the unit normal of this side in the
+ * (u,v) plane; k is the corner of triangle t opposite to the side.  It is computed from the
+ * derivative towards the centroid of t and from that along the side.  The normal depends only on i
+ * and j, so both triangles at the side give the same derivative if it is continuous. */
 static void
 across(const Charted *s, int t, int i, int j, double x, int k, double out[3])
 {
@@ -303,8 +304,8 @@ smooth_inside(void **state)
 }
 
 /* On degenerate input, neighbours have the same cubic on their common side, and no point is farther
- * from its point on the flat triangle than half the longest side.  Some derivatives are limited:
- * the input tests the limit. */
+ * from its point on the flat triangle than half the longest side.  Some derivatives are limited, so
+ * this also tests the limit. */
 static void
 degenerate_input_is_continuous_and_bounded(void **state)
 {

@@ -165,7 +165,7 @@ ragged_corners(void **state)
 }
 
 /* A square with a notch in its top side, where the boundary turns by 30, -60 and 30 degrees.  The
- * turn of -60 degrees must not be taken for a corner, nor on the flipped surface. */
+ * turn of -60 degrees must not be taken for a corner, also on the flipped surface. */
 static void
 notched(void **state)
 {
@@ -233,7 +233,7 @@ nearest_points(void **state)
 	for (i = 0; i < 4; i++)
 		assert_int_equal(corners_nearest(&d, xyz + 3*i), i);
 	assert_int_equal(corners_nearest(&d, (double[]){ 1.1, 1.2, 0 }), 2);    /* 4 is nearer but inside */
-	assert_int_equal(corners_nearest(&d, (double[]){ 1, 1, 5 }), 0);        /* of equals the lowest */
+	assert_int_equal(corners_nearest(&d, (double[]){ 1, 1, 5 }), 0);        /* a tie: the lowest number */
 	assert_int_equal(corners_nearest(&d, (double[]){ 3, 1, 0 }), 1);
 	assert_int_equal(corners_nearest(&d, (double[]){ -1e5, 1e5, 0 }), 3);
 	disk_flip(&d);                                                          /* loop 0 3 2 1 */

@@ -146,7 +146,8 @@ another_height(void **state)
 }
 
 /* A long offset has a wide window: its frame is that of a whole neighbourhood, and a tilted bump
- * inside the window does not turn it.  A short offset with an empty window turns with the bump. */
+ * inside the window does not turn it.  A short offset with the smallest window, r = 0, turns with the
+ * bump. */
 static void
 limbs_follow_their_root(void **state)
 {

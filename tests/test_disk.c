@@ -1,5 +1,5 @@
-/* test_disk.c - disk.h: soups are accepted, repaired, or refused with a reason.  They are written
- * here or come from the folder of real meshes. */
+/* test_disk.c - disk.h: polygon soups are accepted, repaired, or refused with a reason.  The soups are
+ * texts in this file, or real meshes from the folder $LHGRID_MESHES. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

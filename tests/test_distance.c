@@ -307,7 +307,7 @@ grid_mesh_takes_the_shorter_diagonal(void **state)
 		sub3(m.xyz + 3*(p+1), m.xyz + 3*(p+nu), d);
 		bd = norm3(d);
 		for (cut = i = 0, t = m.tri + 3*f; i < 6; i++)
-			cut += t[i] == p;       /* both faces contain a if cut along ac */
+			cut += t[i] == p;       /* cut along ac, both faces contain a = p; else one */
 		assert_int_equal(cut, ac <= bd ? 2 : 1);
 	}
 	mesh_free(&m);

@@ -16,7 +16,8 @@ flat(const Jet *j)
 }
 
 /* The largest error over all vertices of the first derivatives, e[0], and of the second, e[1].  The
- * chart has (u,v) divided by (su,sv), so its derivatives are divided by su^a sv^b first. */
+ * u and v of the chart were divided by su and sv, so its derivatives are converted to the original u
+ * and v first. */
 static void
 errors(const Charted *s, Surface *f, double su, double sv, double e[2])
 {
@@ -139,7 +140,7 @@ collinear_points(void **state)
 }
 
 /* Three rows of points that are not quite straight hardly determine the third derivative across
- * them; its error must not spoil the other derivatives. */
+ * them.  The error of that derivative must not spoil the others. */
 static void
 thin_strip(void **state)
 {
@@ -212,8 +213,8 @@ square(double u, double v, double phi[3], Jet *j)
 	*j = (Jet){ { 2*u, 2*v, 0 }, { -2*v, 2*u, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { -2, 0, 0 } };
 }
 
-/* No derivative is limited on z^2, where they are also exact, nor on smooth surfaces, even with few
- * triangles. */
+/* On z^2 the derivatives are exact and not limited.  On smooth surfaces they are not limited, even
+ * with few triangles. */
 static void
 smooth_surfaces_are_not_limited(void **state)
 {

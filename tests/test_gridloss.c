@@ -1,4 +1,4 @@
-/* test_gridloss.c - the distance of a mesh from the grid that samples it. */
+/* test_gridloss.c - gridloss.h: the distance of a mesh from a grid. */
 #include "cmock.h"
 
 #include <math.h>
@@ -8,15 +8,15 @@
 
 enum { NU = 41, NV = 33, POINTS = 60 };
 
-/* A wavy sheet over [0,1] x [0,.8] as grid. */
+/* The grid is a wavy sheet of this height over [0,1] x [0,.8]. */
 static double
 height(double u, double v)
 {
 	return 0.3*sin(9*u)*cos(7*v);
 }
 
-/* A strip of triangles between points beside the sheet: point i is at places u[i], v[i] of the chart,
- * and as far above the sheet as i is large. */
+/* Makes the mesh, a strip of triangles.  Vertex i is at height 1e-3 i above the point of the sheet at
+ * (u[i],v[i]). */
 static void
 make_strip(double *xyz, int *tri, double *u, double *v)
 {
@@ -32,7 +32,7 @@ make_strip(double *xyz, int *tri, double *u, double *v)
 		memcpy(&tri[3*i], i%2 ? (int[]){ i + 1, i, i + 2 } : (int[]){ i, i + 1, i + 2 }, 3*sizeof *tri);
 }
 
-/* The places only save time: wrong ones give the same result. */
+/* gridloss needs the (u,v) of the vertices only to save time: wrong ones give the same result. */
 static void
 wrong_places_do_not_matter(void **state)
 {

@@ -99,7 +99,7 @@ the_other_diagonal_helps(void **state)
 
 	(void)state;
 	sheet(0);
-	for (c = 0; c < 3; c++) {       /* node (3,2) halfway from (3,3) to (4,2), (4,3) far */
+	for (c = 0; c < 3; c++) {       /* node (3,2) halfway between (3,3) and (4,2), node (4,3) far */
 		phi[c][2*NU + 3] = (phi[c][3*NU + 3] + phi[c][2*NU + 4])/2;
 		phi[c][3*NU + 4] += 2*(phi[c][3*NU + 4] - phi[c][2*NU + 3]);
 	}

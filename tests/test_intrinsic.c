@@ -360,8 +360,8 @@ by_vertices(const void *a, const void *b)
 	return p->a != q->a ? (p->a < q->a ? -1 : 1) : (p->b > q->b) - (p->b < q->b);
 }
 
-/* The sorted edges of the Delaunay triangulation.  If number is not NULL, number[i] stands for
- * vertex i. */
+/* The sorted edges of the Delaunay triangulation.  If number is not NULL, vertex i has the number
+ * number[i] in the result. */
 static Pair *
 edges_of(const Disk *d, const double *key, const int *number, int *ne)
 {

@@ -143,7 +143,7 @@ drain(FILE *f)
 	return r;
 }
 
-/* drain for bytes, which it frees. */
+/* Does the same for the bytes b, and frees them. */
 static Result
 scan(Bytes b)
 {
@@ -245,7 +245,7 @@ canonical(void **state)
 	free(b.p);
 }
 
-/* A grid whose bytes were made by the rules of LHG.md, without the writer, is read. */
+/* The reader accepts a grid whose bytes were made by the rules of LHG.md, without the writer. */
 static void
 assembled_by_hand(void **state)
 {
@@ -943,8 +943,8 @@ history(void **state)
 	lhg_free(&g);
 }
 
-/* Random bytes of a larger stream are changed.  The reader must not crash, and must refuse it if a
- * single byte was changed. */
+/* Random bytes of a larger stream are changed.  The reader must not crash, and must refuse the stream
+ * if a single byte was changed. */
 static void
 noise(void **state)
 {

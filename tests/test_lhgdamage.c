@@ -1,7 +1,8 @@
 /* test_lhgdamage.c - random changes of a stream of 1 MiB: the first grid that was changed is
  * refused, so no damaged number is accepted in it or in a later grid.
  *
- * LHG_CHANGES is the number of trials: 20000 by default, a million in make soak. */
+ * The environment variable LHG_CHANGES is the number of trials: 20000 by default, a million in make
+ * soak. */
 #include <math.h>
 
 #include "../format/lhg.h"
@@ -100,7 +101,8 @@ change(Bytes b, Change c[MOST])
 	return n;
 }
 
-/* The lowest byte of b that differs from good, or b.n: the changes may have restored all bytes. */
+/* The lowest byte of b that differs from good, or b.n if there is none: a random byte may be equal to
+ * the one that it replaces. */
 static size_t
 first(Bytes b, Bytes good, const Change *c, int n)
 {

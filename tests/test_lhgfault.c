@@ -274,8 +274,8 @@ readfails(void **state)
 	free(b.p);
 }
 
-/* The same for writing: after a failed call the output is shorter than the stream, so its end mark
- * is missing; without one it is the complete stream. */
+/* Does the same for writing.  After a failed call the output must be shorter than the stream, so that
+ * its end mark is missing.  If no call fails, it must be the complete stream. */
 static long
 writewith(Bytes good, int code, const char *message, int buffered)
 {
