@@ -124,8 +124,8 @@ on_side(const Mesh *m, int t, int i, int j, double x, double b[3])
 		b[k] = m->tri[3*t + k] == i ? 1 - x : m->tri[3*t + k] == j ? x : 0;
 }
 
-/* Adds random numbers of up to `size` to the jets, so that they belong to no surface.  If size is small,
- * clough_eval does not limit the derivatives. */
+/* Adds random numbers of up to `size` to the jets, so that they belong to no surface.  If size is
+ * small, clough_eval does not limit the derivatives. */
 static void
 random_jets(Charted *s, uint64_t seed, double size)
 {

@@ -236,7 +236,7 @@ nearest_points(void **state)
 	assert_int_equal(corners_nearest(&d, (double[]){ 1, 1, 5 }), 0);        /* a tie: the lowest number */
 	assert_int_equal(corners_nearest(&d, (double[]){ 3, 1, 0 }), 1);
 	assert_int_equal(corners_nearest(&d, (double[]){ -1e5, 1e5, 0 }), 3);
-	disk_flip(&d);                                                          /* loop 0 3 2 1 */
+	disk_flip(&d);                                                  /* the loop is now 0 3 2 1 */
 	assert_int_equal(corners_nearest(&d, (double[]){ 3, 1, 0 }), 1);
 	disk_free(&d);
 }

@@ -117,8 +117,8 @@ offsets_follow_a_similarity(void **state)
 	detail_free(&e);
 }
 
-/* Offsets of one surface apply to a surface on a chart of another height T: v and the window are
- * scaled to it. */
+/* An offset from a surface on one chart can be added on a chart of another height T, at the place with
+ * v scaled to T; the window is stretched as v is. */
 static void
 another_height(void **state)
 {

@@ -169,8 +169,8 @@ thin_strip(void **state)
 	charted_free(&s);
 }
 
-/* On degenerate input the derivatives keep the limits stated in gradient.h.  Many would exceed
- * them, and most of these are scaled down, not set to 0. */
+/* On degenerate input the derivatives keep the limits stated in gradient.h.  Many fits exceed the
+ * limits at first; most of these are scaled down, not set to 0. */
 static void
 limits_hold(void **state)
 {

@@ -108,8 +108,8 @@ the_other_diagonal_helps(void **state)
 	assert_true(moved == 0);
 }
 
-/* Coinciding pairs of nodes at a corner, on a side and inside, and a block of 4 x 4 coinciding
- * nodes, are moved apart, and only by a small part of the width of a cell. */
+/* Nodes that coincide are moved apart, and only by a small part of the width of a cell: pairs of nodes
+ * at a corner, on a side and inside, and a block of 4 x 4 nodes. */
 static void
 coinciding_nodes_are_parted(void **state)
 {

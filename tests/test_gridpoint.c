@@ -146,7 +146,7 @@ slopes_agree(void **state)
 }
 
 /* Moves four vertices with the given (u,v) to their points on the grid.  T is the height of the
- * chart to which uv belong, or 0 if it is unknown. */
+ * chart of these (u,v), or 0 if it is unknown. */
 static int
 moved(Chart g, const double *const phi[3], double T, const double uv[8], double x[12], double to[8],
 	int *at)

@@ -25,7 +25,7 @@ typedef struct Bicubic {
  * 0 .. nu-1 and 0 .. nv-1.  nu, nv >= 2. */
 Bicubic bicubic_at(int nu, int nv, double x, double y);
 
-/* The value of f, [nv][nu], at that place. */
+/* The value of the field f, [nv][nu], at the place of b. */
 double bicubic_value(const Bicubic *b, const double *f);
 
 #endif

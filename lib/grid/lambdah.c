@@ -66,8 +66,8 @@ clamp(double x, double lo, double hi)
 	return x < lo ? lo : x > hi ? hi : x;
 }
 
-/* Extrapolates to the n nodes p = first + l*stride of a side from the two nodes inside each, p + in
- * and p + 2 in. */
+/* Extrapolates to the n nodes p = first + l*stride of a side, each from the next two nodes inside,
+ * p + in and p + 2*in. */
 static void
 extend(int n, int first, int stride, int in, double *lambda, double *H)
 {

@@ -1,4 +1,4 @@
-/* edgepoints.h - points on the edges of an intrinsic triangulation, as points of its mesh. */
+/* edgepoints.h - points on the edges of an intrinsic triangulation, given as points of the mesh. */
 #ifndef EDGEPOINTS_H
 #define EDGEPOINTS_H
 

@@ -1,7 +1,8 @@
 /* intrinsic.h - an intrinsic triangulation of a disk: its edges are straight lines within the
  * surface, known by their lengths alone (doc/mathematics.md 3.6).
  *
- * Only flips change it, so it has the vertices of the mesh, and as many edges and triangles.
+ * Its connectivity changes only by flips, so it has the vertices of the mesh, and as many edges and
+ * triangles as the mesh.
  */
 #ifndef INTRINSIC_H
 #define INTRINSIC_H

@@ -57,7 +57,7 @@ smooth(int n, double *x, double unit)
 			f[i] = x[3*i+c]/unit;
 		fftw_execute(forth);
 		for (i = 0; i <= n/2; i++) {
-			factor = i ? exp(-(i/WAVES)*(i/WAVES))/n : 0;           /* i = 0: mean 0 */
+			factor = i ? exp(-(i/WAVES)*(i/WAVES))/n : 0;           /* i = 0: the mean */
 			F[i][0] *= factor;
 			F[i][1] *= factor;
 		}

@@ -169,7 +169,7 @@ longest2(const Mesh *m, const int *tri)
 	return most;
 }
 
-/* Computes both sides of the limits of gradient.h along the side from i to j, whose step in (u,v) is
+/* Computes the vectors in the limits of gradient.h for the side from i to j, whose step in (u,v) is
  * e: the step d in R^3, first = phi'(e) - d, and second = phi''(e,e)/8. */
 static void
 side_terms(const Mesh *m, const double *u, const double *v, const Jet *jet, int i, int j,

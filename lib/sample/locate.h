@@ -24,9 +24,9 @@ void locator_free(Locator *l);
 /* Returns the triangle that contains (x,y) and sets bary to the barycentric coordinates in it, each
  * in 0..1.  The triangle is found by a walk that starts at the triangle of l->start.  If no triangle
  * contains the point, which can happen among triangles that are turned over or flat, returns the
- * one in which the least coordinate is largest, and sets negative coordinates to 0.  At a corner of
- * the chart the result is always a corner of a triangle that is mapped exactly there, if there is
- * one, although rounding may put other vertices equally near.  May be called from several threads. */
+ * one in which the least coordinate is largest, and sets negative coordinates to 0.  If (x,y) is a
+ * corner of the chart, the result is the vertex that is mapped exactly there, if there is one;
+ * rounding may put other vertices equally near.  May be called from several threads. */
 int  locate(const Locator *l, double x, double y, double bary[3]);
 
 /* Like locate, but the walk starts at triangle `from`.  Where triangles are turned over and several

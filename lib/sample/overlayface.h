@@ -1,4 +1,4 @@
-/* overlayface.h - the face of a mesh in which each triangle of a subdivision of it lies. */
+/* overlayface.h - finds in which face of a mesh each triangle of its subdivision lies. */
 #ifndef OVERLAYFACE_H
 #define OVERLAYFACE_H
 

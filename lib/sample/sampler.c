@@ -139,8 +139,8 @@ find_places(const Sampler *s, int n, const double *x, const double *y)
 	return place;
 }
 
-/* Sets the state of those corners of the triangles of these places that need a jet and have none yet
- * to GRADIENT_WANTED. */
+/* Marks as GRADIENT_WANTED the corners of the triangles of these places that need a jet and have none
+ * yet. */
 static void
 mark_corners(const Mesh *m, int n, const Place *place, unsigned char *state)
 {
