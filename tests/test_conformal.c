@@ -1,4 +1,4 @@
-/* test_conformal.c - conformal.h: the whole way from a disk to its grid. */
+/* test_conformal.c - conformal.h: all stages from a disk to its grid. */
 #include "cmock.h"
 
 #include <math.h>
@@ -40,8 +40,8 @@ rms_H(int n, int cells)
 	return sqrt(sum/((g.nu - 2.0)*(g.nv - 2)));
 }
 
-/* Halving the mesh size divides H by at least 3.5.  With linear elements the factor would be 1.7,
- * and without polishing the grid 2.1. */
+/* Halving the mesh size divides the error of H by at least 3.5.  With linear elements the factor would
+ * be 1.7, and without polishing the grid 2.1. */
 static void
 H_is_of_second_order(void **state)
 {

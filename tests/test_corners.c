@@ -165,7 +165,7 @@ ragged_corners(void **state)
 }
 
 /* A square with a notch in its top side, where the boundary turns by 30, -60 and 30 degrees.  The
- * turn of -60 degrees must not be taken for a corner, also on the flipped surface. */
+ * turn of -60 degrees must not be taken for a corner.  The same holds for the flipped surface. */
 static void
 notched(void **state)
 {

@@ -117,8 +117,8 @@ offsets_follow_a_similarity(void **state)
 	detail_free(&e);
 }
 
-/* An offset from a surface on one chart can be added on a chart of another height T, at the place with
- * v scaled to T; the window is stretched as v is. */
+/* An offset can be transferred to a surface on a chart of another height: the caller scales v, and
+ * detail_vertex scales the height of the window. */
 static void
 another_height(void **state)
 {

@@ -264,8 +264,8 @@ edge_of_three_faces(void **state)
 	assert_int_equal(distance_crossings(&m, &pairs), DISTANCE_EEDGE);
 }
 
-/* mesh_from_grid keeps the numbers of the nodes, makes two faces of each cell, and turns their
- * normals along phi_u x phi_v. */
+/* mesh_from_grid keeps the numbers of the nodes, makes two faces of each cell, and orients them so
+ * that their normals have the direction of phi_u x phi_v. */
 static void
 grid_mesh(void **state)
 {

@@ -206,8 +206,8 @@ roundtrip(void **state)
 		}
 }
 
-/* The reader reads samples, and enlarges its memory for them, in blocks.  A grid larger than these
- * blocks is accepted if it is intact and refused if it is damaged. */
+/* The reader reads the samples in blocks, and enlarges its memory from block to block.  A grid of
+ * several blocks is accepted if it is intact and refused if it is damaged. */
 static void
 large(void **state)
 {

@@ -586,8 +586,8 @@ same(const Lhg *a, const Lhg *b)
 	}
 }
 
-/* Each good sample is read as the grids of which it was made, and the writer still writes the same
- * bytes. */
+/* The reader returns for each good sample the grids from which it was made, and the writer still
+ * writes the same bytes. */
 static void
 good_samples(void **state)
 {

@@ -180,8 +180,8 @@ readset(FILE *f, char err[256])
 
 /* ---- tests ----------------------------------------------------------- */
 
-/* Each allocation of the reader fails in turn: it reports this and frees everything.  With 400 x
- * 400 nodes the buffer of the samples has to grow. */
+/* Each allocation of the reader fails in turn: the reader reports the failure and frees everything.
+ * With 400 x 400 nodes the buffer of the samples has to grow. */
 static void
 readnomemory(void **state)
 {

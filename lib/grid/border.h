@@ -28,7 +28,7 @@ void border_free(Border *b);
 /* Computes s from x.  Returns 0 or BORDER_ELENGTH. */
 int border_measure(Border *b);
 
-/* The grid node (i,j) of node k of the curve; and the k of a node (i,j) on the border. */
+/* Convert node k of the curve to the node (i,j) of the grid, and (i,j) on the border to k. */
 void border_node(int nu, int nv, int k, int *i, int *j);
 int  border_index(int nu, int nv, int i, int j);
 

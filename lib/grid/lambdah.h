@@ -24,7 +24,7 @@ typedef struct LambdahFlaws {
  *   lambda^2 = (|phi_u|^2 + |phi_v|^2)/2                                     (25)
  *   H        = <phi_uu + phi_vv, n>/(2 lambda^2)                             (26)-(29)
  *
- * At inner nodes these are central differences of second order with steps h and k.  On the
+ * At inner nodes the derivatives are central differences of second order, with steps h and k.  On the
  * outermost ring no differences are used, because the map has square-root singularities at the
  * corners of the rectangle.  There H is extrapolated linearly and lambda geometrically from the
  * next two rings: the ratio for lambda is limited to [1/2, 2], and the increment of H to |H| on the

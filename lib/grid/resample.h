@@ -7,9 +7,9 @@
 enum { RESAMPLE_ENOMEM = -1 };
 
 /* Interpolates f from the nodes of `from` to the nodes of `to`, by cubics through the four nearest
- * nodes in each direction.  At a node of both grids the value stays the same.  The last
- * column of `from` lies at the fraction end[0] of the width of `to`, its last row at the fraction
- * end[1] of the height, both at most 1; beyond them f is extrapolated.
+ * nodes in each direction.  At a node of both grids the value stays the same.  The last column of
+ * `from` lies at the fraction end[0] of the width of `to`, its last row at the fraction end[1] of
+ * the height, both at most 1; beyond them f is extrapolated.
  *
  * f   in   [from.nv][from.nu]
  * e   out  [to.nv][to.nu]

@@ -26,7 +26,7 @@ typedef struct Intrinsic {
 	int    *edge;           /* [3*nf] the edge of a side */
 	int    *side;           /* [ne] the side that gives an edge its direction */
 	double *length;         /* [ne] in units of the longest edge of the mesh */
-	int    *mesh_side;      /* [ne] a side of each mesh edge, by its number in the disk */
+	int    *mesh_side;      /* [ne] one side of each mesh edge, numbered as in the disk */
 	int    *mesh_from;      /* [ne] the vertex at which that side starts */
 	int    *along;          /* [ne] the mesh edge that coincides with this edge, or -1 */
 	int   **crossing;       /* [ne] mesh edges that cross this edge, in order from its start;

@@ -48,8 +48,8 @@ append(Keyed *l, double key, double r, const double x[3])
 }
 
 /* Appends landmark i and the nodes between landmarks i and i + 1.  The search for nodes starts at
- * node *k; on return *k is the first node at or after landmark i + 1.  Nodes are counted on after one
- * turn: b->n is node 0 again. */
+ * node *k; on return *k is the first node at or after landmark i + 1.  *k goes on counting after a
+ * full turn: b->n is node 0 again. */
 static int
 append_part(Keyed *l, const Border *b, int n, const double *p, int i, int *k)
 {

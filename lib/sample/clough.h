@@ -19,8 +19,8 @@
  * Limit.  The distance of phi from the flat triangle, at the same barycentric coordinates, is
  * nowhere more than GRADIENT_BEND/3 = 1/2 of the triangle's longest side in R^3.  On the
  * sides this follows from the limits of gradient.h; inside, it is achieved by limiting the
- * derivatives across the sides.  Where these were limited, phi is still continuous between
- * neighbouring triangles, but they have no common tangent plane.
+ * derivatives across the sides.  Across a side where this was done, phi is still continuous, but the
+ * two triangles have no common tangent plane.
  */
 #ifndef CLOUGH_H
 #define CLOUGH_H

@@ -10,7 +10,7 @@
 enum {
 	ENOUGH = 15,    /* rings are added until there are more points than this, */
 	RINGS  = 6,     /* or this many rings */
-	FAN    = 16     /* triangles of a vertex that join_neighbours visits at most: otherwise a
+	FAN    = 16     /* join_neighbours visits at most this many triangles of a vertex: otherwise a
 	                 * vertex of a million triangles would cost each neighbour a million visits */
 };
 static const double WAVES = 100;        /* radians per unit of u, in chart_keys */
