@@ -4,7 +4,7 @@
 
 #include "../mesh/mesh.h"
 
-/* Two triangles for each cell of a grid.  The cell is cut along its shorter diagonal, or, if both
+/* Sets m to two triangles for each cell of a grid.  A cell is cut along its shorter diagonal or, if both
  * are equally long, along the one from (i,j) to (i+1,j+1).  It is cut along the longer one if this
  * leaves fewer triangles without area (../mesh/polygon.h).  Node (i,j) becomes vertex j*nu + i; the
  * normals of the triangles have the direction of phi_u x phi_v.

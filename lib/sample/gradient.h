@@ -20,12 +20,12 @@
  *
  *   |phi'(e) - d| <= GRADIENT_BEND L,     |phi''(e,e)|/8 <= GRADIENT_BEND L.
  *
- * If the fit violates them, its terms up to degree 2 are fitted instead; if these violate them,
- * too, the terms of degree 1; if these still do, they are scaled down.  No fit is limited on
- * the smooth surfaces of mkmesh with 60 or more vertices, nor near z -> z^2, the local form of the
- * map where a corner of the rectangle lies on a smooth boundary.  On scans and cortices with
- * their discrete (u,v), up to two vertices in a thousand are limited; on the worst meshes (human
- * faces with 2000 vertices, coarse heads) three in a hundred.
+ * If the cubic violates these limits, a quadratic polynomial is fitted instead; if the quadratic
+ * violates them, a linear one; if the linear one violates them, it is scaled down.  No fit is limited
+ * on the smooth surfaces of mkmesh with 60 or more vertices, nor near z -> z^2, the local form of the
+ * map where a corner of the rectangle lies on a smooth boundary.  On scans and cortices with the
+ * (u,v) of mesh2rect, up to two vertices in a thousand are limited; on the worst meshes (human faces
+ * with 2000 vertices, coarse heads) three in a hundred.
  */
 #ifndef GRADIENT_H
 #define GRADIENT_H

@@ -29,8 +29,8 @@ void locator_free(Locator *l);
  * rounding may put other vertices equally near.  May be called from several threads. */
 int  locate(const Locator *l, double x, double y, double bary[3]);
 
-/* Like locate, but the walk starts at triangle `from`.  Where triangles are turned over and several
- * contain the point, the result is the first of them on the walk. */
+/* Like locate, but the walk starts at triangle `from`.  Where triangles are turned over, several may
+ * contain the point; the result is then the first of these on the walk. */
 int  locate_from(const Locator *l, int from, double x, double y, double bary[3]);
 
 #endif
