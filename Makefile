@@ -1,18 +1,20 @@
-# Makefile - "make demo" installs, builds and smooths a face; "make check" installs,
-# builds and runs every test.  Everything built lies in $(BUILD).
+# Makefile - "make demo" installs the packages that the build needs, builds, and smooths a
+# synthetic face; "make check" installs also those of the tests, builds, and runs every test.
+# Everything built lies in $(BUILD).
 #
 #   make                      build the commands into build/bin
 #   make quick                unit tests and the fast command tests; installs nothing (seconds)
 #   make test T=misfit        one unit test; T=pipes.bats one file of command tests
-#   make SANITIZE=address,undefined check      the same in build/address,undefined
+#   make SANITIZE=address,undefined check      every test under sanitizers, in
+#                             build/address,undefined
 #   make install PREFIX=/usr/local DESTDIR=
-#   make bench                the numbers the project promises (minutes)
+#   make bench                measures the numbers that README.md promises (minutes)
 #   make compile_commands.json    for editors
 #   make check-untracked      fails if a test left a file, or a stray one is tracked
 #   make coverage             lines that the tests run, by file (minutes)
 #   make soak                 in full the tests that make check only samples (minutes)
-#   make fuzz FUZZ_SECONDS=60 hostile inputs, so long for each target (clang)
-#   make paper                the paper's tables and figures, in build/paper/report.md (minutes)
+#   make fuzz FUZZ_SECONDS=60 runs each fuzz target for this long (clang)
+#   make paper                makes the paper's tables and figures, build/paper/report.md (minutes)
 
 include config.mk
 
@@ -30,7 +32,7 @@ ifdef SANITIZE
 ALL_CFLAGS   += -fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer
 ALL_CXXFLAGS += -fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer
 LDFLAGS      += -fsanitize=$(SANITIZE)
-LIBCFLAGS    :=                         # under sanitizers gcc gives false warnings with them
+LIBCFLAGS    :=                         # gcc gives false warnings with -O3 and sanitizers
 endif
 
 LIBOBJ   := $(patsubst %,$(BUILD)/%.o,$(basename $(wildcard format/*.c lib/*/*.c lib/*/*.cc)))
@@ -39,7 +41,7 @@ BIN      := $(CMD:%=$(BUILD)/bin/%)
 TESTSRC  := $(filter-out tests/fault.c tests/disks.c,$(wildcard tests/*.c))
 TESTBIN  := $(TESTSRC:%.c=$(BUILD)/%)
 UNIT     := $(filter $(BUILD)/tests/test_%,$(TESTBIN))
-# The targets: the files of tests/fuzz/, except those that all targets share.
+# The fuzz targets: the files of tests/fuzz/, except those that all targets share.
 FUZZ     := $(filter-out memory mesh replay,$(basename $(notdir $(wildcard tests/fuzz/*.c))))
 FUZZBIN  := $(FUZZ:%=$(BUILD)/tests/fuzz/%)
 FUZZMAIN := $(BUILD)/tests/fuzz/replay.o
@@ -49,7 +51,7 @@ OBJ      := $(LIBOBJ) $(SHARED) $(CMD:%=$(BUILD)/cmd/%.o) $(TESTBIN:%=%.o) \
 LIB      := $(BUILD)/liblhgrid.a
 CMDLIB   := $(BUILD)/libcmd.a
 
-# The commands once more, with calls that fail on demand.
+# The commands once more, linked so that chosen calls fail on demand (tests/fault.c).
 FAULTY   := $(CMD:%=$(BUILD)/faulty/%)
 FAULT    := $(BUILD)/tests/fault.o
 WRAPPED  := malloc calloc realloc free aligned_alloc strdup fftw_alloc_real fftw_free _Znwm _Znam \
@@ -59,9 +61,10 @@ all: $(BIN)
 
 tests: $(TESTBIN) $(FUZZBIN) $(FAULTY)
 
-# Link objects $1, and from the archives $2 what these need.  The linker lists the objects
-# that went into the program (-t -t; members of an archive that is not thin have no path);
-# only a change of one of those links it again.
+# Links the objects $1 with the members of the archives $2 that they need, and the libraries $3.
+# With -t -t the linker lists the objects that went into the program; PROGRAM.used makes the
+# program depend on these only.  There is no such file if the archives are not thin, since their
+# members are then listed without a path; the program then depends on all objects.
 define link
 @mkdir -p $(@D)
 $(CXX) $(OPENMP) $(LDFLAGS) $(WRAP) -Wl,-t,-t -o $@ $1 $2 $(LDLIBS) $3 >$@.list
@@ -72,7 +75,7 @@ LINKED   := $(BIN) $(FAULTY) $(TESTBIN) $(FUZZBIN)
 $(foreach p,$(LINKED),$(if $(wildcard $p.used),,$(eval $p: $(LIBOBJ) $(SHARED))))
 -include $(LINKED:=.used)
 
-# cmd/shared/pages.c
+# cmd/shared/pages.c replaces these functions.
 $(BIN): WRAP = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc
 $(BIN): $(BUILD)/bin/%: $(BUILD)/cmd/%.o | $(CMDLIB) $(LIB)
 	$(call link,$<,$(CMDLIB) $(LIB))
@@ -85,7 +88,7 @@ $(BUILD)/tests/test_memory: $(FAULT)
 $(BUILD)/tests/test_memory: WITH = $(FAULT)
 $(BUILD)/tests/test_memory: WRAP = $(WRAPPED:%=-Wl,--wrap=%)
 
-# Tests on random disks.
+# Unit tests that use the random disks of tests/disks.c.
 DISKS    := $(BUILD)/tests/disks.o
 ONDISKS  := $(patsubst %,$(BUILD)/tests/test_%,subdivision intrinsic overlay intrinsicmap sampler)
 $(ONDISKS): $(DISKS)
@@ -104,7 +107,7 @@ $(LIBOBJ): ALL_CFLAGS += $(LIBCFLAGS) $(COVER)
 
 $(LIB): $(LIBOBJ)
 $(CMDLIB): $(SHARED)
-# Thin archives hold the names of the objects, not copies.
+# Thin archives hold the paths of the objects, not copies of them.
 $(LIB) $(CMDLIB):
 	rm -f $@
 	$(AR) rcT $@ $^
@@ -117,7 +120,7 @@ $(BUILD)/%.o: %.cc config.mk
 	@mkdir -p $(@D)
 	$(CXX) $(ALL_CPPFLAGS) $(ALL_CXXFLAGS) -c -o $@ $<
 
-# Multiplication and addition are one instruction where the processor has one for both.
+# A product and a sum become one instruction (fused multiply-add) if the processor has it.
 $(BUILD)/lib/sparse/product.o: ALL_CFLAGS += -ffp-contract=fast
 
 # -O3, whatever CFLAGS say: it vectorizes the inner loops of the surface method.
@@ -136,7 +139,7 @@ check:
 	for t in $(FUZZ); do $(BUILD)/tests/fuzz/$$t tests/fuzz/corpus/$$t tests/lhg/good tests/lhg/bad || exit 1; done
 	bats tests
 
-# The command tests that take seconds.
+# The command tests that take only seconds.
 FAST = arrows doc lhg lhgpy lhdiff
 
 quick: all $(UNIT)
@@ -161,7 +164,7 @@ soak: all tests
 	SOAK=1 $(BUILD)/tests/test_intrinsicmap
 	SOAK=1 bats $(patsubst %,tests/%.bats,kill memory output same)
 
-# The targets under libFuzzer, with what they need of the library and no more.
+# The fuzz targets are linked with libFuzzer and only the library sources that they need.
 FUZZ_SECONDS = 60
 FUZZLIB := $(patsubst %.c,build/fuzz/%.o,$(wildcard format/*.c) $(wildcard lib/meshfile/*.c) \
            lib/mesh/fail.c lib/mesh/mesh.c lib/mesh/channel.c)
@@ -175,7 +178,7 @@ fuzz:
 
 fuzztargets: $(FUZZBIN)
 
-# Lines run by the tests: gcov's counts, a line for each file and each folder.
+# Runs the tests in a build with gcov and prints the share of lines run, by file and folder.
 coverage:
 	rm -rf build/coverage
 	$(MAKE) BUILD=build/coverage LIBCFLAGS= CFLAGS='-O1 -g --coverage' CXXFLAGS='-O1 -g --coverage' \

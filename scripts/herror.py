@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""herror.py - error of H of `mkmesh torus` and `mkmesh catenoid`, from their (lambda, H).
+"""herror.py - the error of H on the grid of `mkmesh torus` or `mkmesh catenoid`.
 
 usage: herror.py torus|catenoid LH.lhg
 
-Prints the area-weighted L2 error of H over the inner nodes, over the area-weighted L2 size
-of the larger principal curvature's mean, 1/r/2 for the torus and 1/a for the catenoid.
+Prints the area-weighted root mean square error of H over the inner nodes, without unit: divided
+by 1/(2r) for the torus, half the curvature of its tube (r = 0.8), and by 1/a for the catenoid,
+the curvature of its waist (a = 1).
 """
 import os
 import sys

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # lhg.py - read and write .lhg streams with numpy.  MIT license, copyright 2026 the lhgrid authors.
-"""Read and write .lhg streams, as format/LHG.md has them; section numbers are its own.
+"""Read and write .lhg streams as format/LHG.md defines them; sections cited below are those of LHG.md.
 
-    for g in lhg.read("face.lhg"):              # or a binary file object
+    for g in lhg.read("face.lhg"):              # a path or a binary file object
         print(g.nu, g.nv, g.T, g["x"].shape)    # the array of channel x, [nv][nu]
     lhg.write("copy.lhg", lhg.read("face.lhg"))
 
@@ -34,7 +34,7 @@ class Error(Exception):
 
 
 class Channel:
-    """Samples of one field: data[nv][nu] for support "grid", else data[n] in row order."""
+    """Samples of one field: data[nv][nu] for support "grid", else data[n], row after row."""
 
     def __init__(self, data, unit="1", support="grid", step=0):
         self.data, self.unit, self.support, self.step = data, unit, support, step
@@ -52,7 +52,7 @@ class Grid:
         return self.channels[name].data
 
     def mask(self, channel):
-        """The nodes of a channel as a boolean array [nv][nu]: section 2.2."""
+        """A boolean array [nv][nu], true at the nodes where the channel has a sample: section 2.2."""
         j, i = np.mgrid[:self.nv, :self.nu]
         s = channel.step
         if channel.support == "grid":
@@ -63,7 +63,7 @@ class Grid:
 
 
 def count(nu, nv, support, step):
-    """Samples of a support, section 2.2."""
+    """The number of samples of a support, section 2.2."""
     if support == "grid":
         return nu * nv
     if support == "border":
@@ -72,7 +72,7 @@ def count(nu, nv, support, step):
 
 
 def spell(T):
-    """Section 2, height."""
+    """T as the header must spell it, section 2: the fewest digits from 15 to 17 that give T again."""
     for digits in (15, 16, 17):
         text = "%.*g" % (digits, T)
         if float(text) == T:
@@ -96,7 +96,7 @@ def check(grid):
 
 
 class Order:
-    """Which frame may come next, section 5, and what its line 4 repeats."""
+    """Which frame may come next, and the CRC of the one before, which its line 4 repeats: section 5."""
 
     def __init__(self):
         self.frame = self.frames = self.crc = 0
@@ -130,7 +130,7 @@ def take(file, n, what):
 
 
 def read_magic(file, empty):
-    """Line 1 of a header; False at the end of the input."""
+    """Reads line 1 of a header.  Returns False at the end of the input.  empty: no grid came before."""
     magic = file.read(1)
     if not magic:
         return False
@@ -145,7 +145,7 @@ def read_magic(file, empty):
 
 
 def read_head(file):
-    """The bytes of a header after line 1, CRC checked, and the CRC."""
+    """Reads a header from line 2 on and checks its CRC.  Returns the whole header and the CRC."""
     head, line = bytearray(MAGIC), b""
     while not line.startswith(b"end"):
         line = file.readline(MAXHEAD - len(head))
@@ -210,7 +210,7 @@ def parse_head(head):
 
 
 def read_channel(file, grid, name, crc):
-    """Section 3; returns the running CRC."""
+    """Reads the samples of a channel, section 3.  Takes and returns the running CRC of the grid."""
     c = grid.channels[name]
     n = count(grid.nu, grid.nv, c.support, c.step)
     data = take(file, 8 * n, "channel " + name)
@@ -252,7 +252,7 @@ def read_grids(file):
 
 
 def read(file):
-    """The grids of a path or a binary file, one by one.  Raises Error, or OSError."""
+    """Yields the grids of a path or a binary file one by one.  Raises Error or OSError."""
     if hasattr(file, "read"):
         yield from read_grids(file)
     else:
@@ -263,7 +263,7 @@ def read(file):
 # ---- write --------------------------------------------------------------------------
 
 def put_head(grid, due):
-    """The header, and the CRC that ends it."""
+    """The header of a grid, and the CRC that ends it.  due: the CRC that line 4 repeats, or 0."""
     lines = ["lhg 1", "size %d %d" % (grid.nu, grid.nv), "height " + spell(grid.T),
              "frame %d %d %08x" % (grid.frame, grid.frames, due)]
     for name, c in grid.channels.items():
@@ -298,7 +298,7 @@ def put_samples(grid, name):
 
 
 def put_grid(grid, due):
-    """All bytes of a grid, and its last CRC."""
+    """All bytes of a grid, and the CRC after its last channel."""
     check(grid)
     head, crc = put_head(grid, due)
     out = [head]
@@ -322,7 +322,7 @@ def write_grids(file, grids):
 
 
 def write(file, grids):
-    """Write grids, as read gives them, to a path or a binary file.  Raises Error or OSError."""
+    """Writes grids, such as read yields, to a path or a binary file.  Raises Error or OSError."""
     if hasattr(file, "write"):
         write_grids(file, grids)
     else:

@@ -1,4 +1,4 @@
-"""raster.py - triangles to pixels with numpy, and pixels to PNG."""
+"""raster.py - draws triangles as pixels with numpy, and writes pixels as PNG."""
 import struct
 import zlib
 
@@ -8,8 +8,9 @@ CHUNK = 1 << 21                                 # candidate pixels at a time
 
 
 class Raster:
-    """The visible surface in a picture of h rows and w columns, lowest row first; for each
-    pixel: tri, the number of the nearest triangle (-1: none), and bary, its barycentric weights."""
+    """The visible surface in a picture of h rows and w columns, lowest row first.  For each pixel,
+    tri is the index of the triangle nearest to the eye (-1: none), and bary the barycentric
+    coordinates of the pixel in it."""
 
     def __init__(self, xyz, tri, w, h):
         """xyz in pixels, z towards the eye."""
@@ -45,20 +46,20 @@ class Raster:
         self.bary[pixel[keep]] = bary[keep]
 
     def mix(self, value):
-        """A value given at the vertices, interpolated at the pixels that are hit."""
+        """Interpolates values given at the vertices at the hit pixels, those with a triangle."""
         corners = value[self.faces[self.tri[self.hit]]]
         weight = self.bary[self.hit]
         return np.einsum('pk,pk...->p...', weight, corners)
 
     def edge_distance(self, xyz):
-        """Distance in pixels from a hit pixel to the nearest edge of its triangle."""
+        """The distance, in pixels, from each hit pixel to the nearest edge of its triangle."""
         t = self.tri[self.hit]
         p = xyz[self.faces[t]]
         sides = [np.linalg.norm((p[:, (k + 2) % 3] - p[:, (k + 1) % 3])[:, :2], axis=1) for k in range(3)]
         return np.abs(self.bary[self.hit]*self._det[t][:, None]/np.stack(sides, 1)).min(1)
 
     def picture(self, colour):
-        """rgb of the hit pixels on white, top row first."""
+        """The picture with these rgb colours at the hit pixels and white elsewhere, top row first."""
         image = np.ones(self.tri.shape + (3,))
         image[self.hit] = colour
         return image.reshape(self.shape + (3,))[::-1]
@@ -75,7 +76,8 @@ def shrink(image, samples):
 
 
 def palette(colours, n):
-    """A palette of at most n colours for the colours [m][3], and for each of these its index in the palette: median cut."""
+    """Chooses a palette of at most n colours for colours[m][3] by median cut.  Returns the palette,
+    and for each of the m colours its index in the palette."""
     white = (colours == 255).all(1)              # white, the background, is kept exactly
     boxes = [np.flatnonzero(b) for b in (white, ~white) if b.any()]
     while len(boxes) < n:
@@ -93,7 +95,8 @@ def palette(colours, n):
 
 
 def png(path, image, colours=0):
-    """Writes image, [h][w][3] in 0..1, to path; if colours is not 0, with a palette of at most that many, up to 256."""
+    """Writes image, [h][w][3] in 0..1, to path.  colours is 0, or 2..256: the most colours of a
+    palette."""
     pixels = np.round(255*np.clip(image, 0, 1)).astype(np.uint8)
     h, w = pixels.shape[:2]
     table = b''

@@ -1,24 +1,27 @@
 #!/usr/bin/python3
-"""render.py - shaded pictures of surfaces side by side.
+"""render.py - draws shaded pictures of surfaces side by side.
 
 usage: render.py [OPTIONS] OUT.png SURFACE...
 
 SURFACE is a mesh (OFF, or OBJ with or without (u,v), as mesh2rect --uv writes it) or a stream
-of grids x y z (.lhg), every grid of it one picture; with %d in OUT each in a file of its own.  Parallel projection, lit from above left,
-both sides of a face alike.  Deterministic.
+of grids x y z (.lhg); each grid gives a picture of its own.  With %d in OUT, each picture is
+written to a file of its own.  The projection is parallel, the light comes from above left, and
+both sides of a triangle are shaded alike.  Equal input gives equal pictures.
   --from=X,Y,Z   the direction of the eye [0,0,1]
   --up=X,Y,Z     what is up [0,1,0]
   --size=WxH     pixels of one picture [320x320]
-  --each         every surface at its own scale, not all at that of the first
-  --pick=N,N..   only the surfaces of these numbers, from 1
+  --each         draw every surface at its own scale, not at that of the first
+  --pick=N,N..   draw only the surfaces with these numbers, counted from 1
   --chart        draw (u,v) instead of the positions
   --edges        draw the edges
   --colours=N    at most N colours, 2..256, for a smaller file
   --circles=N    draw N circles across the width of (u,v)
-  --paint=LH.lhg:CHANNEL   colour by a channel of the grid of equal number in LH.lhg, or of
-                 its last; with a bar below, whose two ends are printed to stdout
-  --log          colour by the logarithm
-  --top=X        the share of the nodes beyond the end of the bar, percent [1, of both signs 5]
+  --paint=LH.lhg:CHANNEL   colour surface N by a channel of grid N of LH.lhg, or of its last grid if
+                 there is no grid N; a colour bar is drawn below, and the values at its two ends
+                 are printed
+  --log          colour by the logarithm of the values
+  --top=X        percent of the inner nodes beyond each end of the bar [1]; if the values have both
+                 signs, beyond both ends together [5]
 """
 import itertools
 import os
@@ -39,7 +42,7 @@ LIGHT = np.array([-0.35, 0.45, 0.82])
 
 
 class Surface:
-    """Positions, faces, (u,v) where known, normals on demand."""
+    """Positions, triangles, and, if known, (u,v) and the grid."""
 
     def __init__(self, xyz, tri, uv=None, grid=None):
         self.xyz, self.tri, self.uv, self.grid = xyz, tri, uv, grid
@@ -96,7 +99,7 @@ def axes(towards, up):
 
 
 class Paint:
-    """Values to colours; white in the middle if both signs occur."""
+    """Maps values to colours; 0 is white if both signs occur."""
 
     def __init__(self, spec, log, top):
         path, name = spec.rsplit(':', 1)
@@ -127,7 +130,7 @@ class Paint:
 
 
 def circles(uv, n):
-    """1 on circles about the centres of n squares across the width, else 0."""
+    """1 on rings about the centres of squares, n of them across the width of (u,v), else 0."""
     r = np.linalg.norm((uv*n) % 1 - 0.5, axis=1)
     return ((r > 0.27) & (r < 0.40)).astype(float)
 
@@ -163,7 +166,7 @@ def draw(surface, xyz, number, o):
 
 
 def place(surface, turn, o):
-    """Positions in the eye's coordinates, from the centre of their bounding box."""
+    """Positions in the coordinates of the eye, relative to the centre of their bounding box."""
     if o.chart:
         xyz = np.concatenate([surface.uv, np.zeros((len(surface.uv), 1))], 1)
     else:

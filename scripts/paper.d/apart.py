@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""apart.py A.lhg B.lhg OUT.lhg - a grid with channel distance, node by node."""
+"""apart.py A.lhg B.lhg OUT.lhg - writes a grid whose channel distance holds, at every node, the
+distance of the node of A from that of B."""
 import os
 import sys
 

@@ -13,12 +13,12 @@ need() {
 	done
 }
 
-# run COMMAND...: writes its notes to $w/said; if it fails, dies with the last of them.
+# run COMMAND...: writes its stderr to $w/said; if it fails, dies with the last line of this.
 run() {
 	"$@" 2>"$w/said" || die "$(tail -n 1 "$w/said")"
 }
 
-# timed NAME COMMAND...: the same, and writes the seconds it took to $w/NAME.seconds.
+# timed NAME COMMAND...: the same; also writes the seconds that COMMAND took to $w/NAME.seconds.
 timed() {
 	t=$w/$1.seconds
 	shift
@@ -28,20 +28,21 @@ timed() {
 python() { script=$1; shift; run /usr/bin/python3 "$here/$script" "$@"; }
 render() { python render.py "$@"; }
 
-# diffs A STREAM [OPTION]: writes lhdiff's table of the grids of STREAM against A to
-# $w/STREAM.diffs.
+# diffs A STREAM [OPTION]: writes to $w/STREAM.diffs lhdiff's table of the grids of $w/STREAM.lhg
+# against $w/A.lhg.
 diffs() {
 	run lhdiff ${3:+"$3"} "$w/$1.lhg" "$w/$2.lhg" -o "$w/$2.diffs"
 }
 
-# column STREAM NAME [FACTOR]: a column of that table, times FACTOR, on one line.
+# column STREAM NAME [FACTOR]: prints column NAME of that table, times FACTOR, on one line.
 column() {
 	awk -F '\t' -v name="$2" -v f="${3:-1}" '
 		NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; if (!c) exit 1; next }
 		{ printf "%.6g ", f*$c }' "$w/$1.diffs" || die "lhdiff has no column $2"
 }
 
-# frames_with STREAM: the numbers of the frames with crossing faces, as ranges.
+# frames_with STREAM: prints the numbers of the frames with crossing faces as ranges, from
+# $w/STREAM.self, which has the number of crossings of each frame.
 frames_with() {
 	awk '{ for (i = 1; i <= NF + 1; i++)
 		if (i <= NF && $i > 0) { if (!from) from = i }
@@ -49,8 +50,8 @@ frames_with() {
 		END { if (!sep) printf "none" }' "$w/$1.self"
 }
 
-# pair NAME MESH CELLS [MESH2RECT OPTIONS]: makes the grid $w/NAME.lhg and its lambda and H,
-# $w/NAME-lh.lhg.
+# pair NAME MESH CELLS [MESH2RECT OPTIONS]: makes the grid $w/NAME.lhg of MESH, and its lambda and
+# H, $w/NAME-lh.lhg.
 pair() {
 	grid=$1 from=$2 n=$3
 	shift 3
@@ -58,17 +59,17 @@ pair() {
 	timed "$grid.lh" grid2lh -q "$w/$grid.lhg" -o "$w/$grid-lh.lhg"
 }
 
-# back LH GRID: the surfaces of a stream of lambda and H.
+# back LH GRID: reconstructs the surfaces $w/GRID.lhg of a stream of lambda and H, $w/LH.lhg.
 back() {
 	run lh2grid -q "$w/$1.lhg" -o "$w/$2.lhg"
 }
 
-# number FILE NAME: a number of lhdiff's output.
+# number FILE NAME: prints the number NAME from FILE, an output of lhdiff.
 number() {
 	awk -v n="$2" '$1 == n { print $2; found = 1 } END { exit !found }' "$1" || die "lhdiff prints no $2"
 }
 
-# short X [FACTOR]: FACTOR X to three significant digits.
+# short X [FACTOR]: prints FACTOR X to three significant digits.
 short() { awk -v x="$1" -v f="${2:-1}" 'BEGIN { printf "%.3g", f*x }'; }
 
 # rising NUMBER...: prints the index of the first number that is not above the one before it;
@@ -77,7 +78,8 @@ rising() {
 	awk 'BEGIN { for (i = 2; i < ARGC; i++) if (!(ARGV[i] + 0 > ARGV[i-1] + 0)) { print i; exit } }' "$@"
 }
 
-# promise FAILURE TEXT: a line in the report's list of promises; TEXT holds if FAILURE is empty.
+# promise FAILURE TEXT: adds a line to the report's list of promises.  The promise TEXT holds if
+# FAILURE is empty; otherwise FAILURE says where it does not.
 promise() {
 	if [ -z "$1" ]; then mark=holds; else mark='**VIOLATED**'; fi
 	printf -- '- %s: %s%s\n' "$mark" "$2" "${1:+; not: $1}" >>"$w/promises.md"
@@ -85,13 +87,14 @@ promise() {
 
 say() { printf '%s\n' "$@" >>"$w/body.md"; }
 
-# shown PICTURE TEXT: a picture and its caption.
+# shown PICTURE TEXT: adds a picture and its caption to the report.
 shown() {
 	say '' "![$2]($1.png)" '' "$2" ''
 }
 
-# figure NAME WIDTHxHEIGHT COLUMNS [PANEL TITLE LEFT RIGHT]...: pictures of one size in rows, each
-# below its title; LEFT and RIGHT are the numbers at the ends of its colour bar.
+# figure NAME WIDTHxHEIGHT COLUMNS [PANEL TITLE LEFT RIGHT]...: makes $out/NAME.png of panels in rows.
+# PANEL is a PNG file of WIDTHxHEIGHT; TITLE is written above it; LEFT and RIGHT are the numbers at
+# the ends of its colour bar, or empty.
 figure() {
 	picture=$1 wide=${2%x*} high=${2#*x} columns=$3
 	shift 3
@@ -123,7 +126,7 @@ panels() {
 	echo "plot $images"
 }
 
-# summary: writes the report, complete or not at all.
+# summary: writes the report; if this fails, there is no report.
 summary() {
 	{
 		echo '# The paper on our surfaces'

@@ -1,4 +1,5 @@
-# hard.sh - surfaces harder than those of the paper, and where the grid is too coarse for them.
+# hard.sh - reconstructs surfaces harder than those of the paper, and shows where the grid is too
+# coarse for them.
 
 # hard_row ROLE: one row of the table.
 hard_row() {

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""linear.py MORPH.lhg OUT.lhg - as many grids as MORPH has, their positions on straight lines
-from its first to its last."""
+"""linear.py MORPH.lhg OUT.lhg - interpolates the positions of the first and last grid of MORPH
+linearly; writes as many grids as MORPH has."""
 import os
 import sys
 

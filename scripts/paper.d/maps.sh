@@ -1,8 +1,8 @@
 # maps.sh - Figures 1 to 5: the map, lambda and H on the domain and on the surface, and the
 # reconstructed surface.
 
-# painted ROLE WHAT CHANNEL NAME [OPTIONS]: a picture coloured by CHANNEL; the ends of its colour
-# bar go to $w/NAME.ends.
+# painted ROLE SURFACE CHANNEL NAME [OPTIONS]: draws the file SURFACE, coloured by CHANNEL of lambda
+# and H of ROLE, to $w/NAME.png; the values at the ends of the colour bar go to $w/NAME.ends.
 painted() {
 	role=$1 surface=$2 channel=$3 name=$4
 	shift 4
@@ -12,13 +12,13 @@ painted() {
 low()  { cut -d' ' -f1 "$w/$1.ends"; }
 high() { cut -d' ' -f2 "$w/$1.ends"; }
 
-# both ROLE: pictures of the surface and of its reconstruction.
+# both ROLE: draws the surface and its reconstruction.
 both() {
 	render --size=$side $(view "$1") "$w/$1-surface.png" "$w/$1.lhg"
 	render --size=$side $(view "$1") "$w/$1-again.png" "$w/$1-back.lhg"
 }
 
-# maps ROLE: all the pictures of one surface.
+# maps ROLE: draws all the pictures of one surface.
 maps() {
 	v=$(view "$1")
 	both "$1"
@@ -32,7 +32,8 @@ maps() {
 	painted "$1" "$w/$1.lhg" H "$1-H-chart" --chart
 }
 
-# four ROLE NAME: the original, lambda, H and the reconstruction; below them the domain.
+# four ROLE NAME: makes figure NAME.  Above: the mesh, lambda, H and the reconstruction; below: the
+# mesh, lambda and H on the rectangle, and circles of the rectangle on the surface.
 four() {
 	figure "$2" $side 4 \
 		"$w/$1-mesh.png" '(a) the mesh' '' '' \

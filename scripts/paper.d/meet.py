@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""meet.py A.lhg B.lhg OUT.lhg - B scaled to the area of A and moved rigidly onto it."""
+"""meet.py A.lhg B.lhg OUT.lhg - scales B to the area of A and moves it rigidly onto A."""
 import os
 import sys
 
@@ -19,7 +19,7 @@ def area(p):
 
 
 def align(a, b):
-    """b moved rigidly onto a, least squares over the nodes."""
+    """b moved rigidly onto a, by least squares over the nodes."""
     to = a.mean((0, 1))
     a, b = a - to, b - b.mean((0, 1))
     u, _, v = np.linalg.svd(b.reshape(-1, 3).T @ a.reshape(-1, 3))

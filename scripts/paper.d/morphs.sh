@@ -1,7 +1,9 @@
-# morphs.sh - Figures 10 to 13: one surface becomes another; the distance from the start.
+# morphs.sh - Figures 10 to 13: one surface becomes another; the distance of its frames from the
+# first.
 
-# morph NAME A B VIEW FIGURE: the frames from A to B, six of them in a figure; the distance of
-# each from the first surface goes to $w/NAME.hausdorff.
+# morph NAME A B VIEW FIGURE: computes the frames from role A to role B and draws six of them in
+# FIGURE, as seen from the view of role VIEW.  The distance of each frame from A goes to
+# $w/NAME.hausdorff.
 morph() {
 	m=$1 a=$2 b=$3
 	pair "$m-start" "$(mesh "$a")" "$rows" $(chart "$a")
@@ -31,14 +33,14 @@ morph_row() {
 	figure "$into" $side 3 "$@"
 }
 
-# largest_step FILE: the frame to which the distance changes most.  The change is far above the
-# mean where the solver jumps to another surface of nearly the same lambda and H.
+# largest_step FILE: prints where the distance changes most from one frame to the next.  The change
+# is far above the mean if the solver jumps to another surface of nearly the same lambda and H.
 largest_step() {
 	awk '{ for (i = 2; i <= NF; i++) { d = $i - $(i-1); if (d < 0) d = -d; if (d > most) { most = d; at = i } }
 	       printf "The largest step of the distance is %.3g %%, to frame %d, the mean step %.3g %%.", most, at, ($NF - $1)/(NF - 1) }' "$1"
 }
 
-# morph_said NAME A B VIEW FIGURE: the text of the report.
+# morph_said NAME A B VIEW FIGURE: adds the figure and the text of a morph to the report.
 morph_said() {
 	start=$(column "$1" max_rel 100 | cut -d' ' -f1)
 	end=$(column "$1-end" max_rel 100 | awk '{ print $NF }')
@@ -56,7 +58,7 @@ say '## Figures 10 to 13: morphs' '' "Grids of $((rows + 1)) x $((rows + 1)) nod
 	"    mesh2rect -n $rows --like=A.lhg B -o B.lhg" \
 	"    lhinterp -n $frames A.lhg B.lhg | lh2grid --keyframes=7 -o MORPH.lhg; lhdiff --hausdorff-error=2e-4 A.lhg MORPH.lhg" ''
 printf '\n%s\n\n%s\n%s\n' "Seconds of lh2grid, $frames frames, $((rows + 1)) x $((rows + 1)) nodes" '| morph | lh2grid |' '|---|---|' >>"$out/times.md"
-# With the shapes of mkmesh the mask takes the place of the woman's face.
+# The real morph of faces ends at the mask.  mkmesh has no mask, so its morph ends at the woman's face.
 lady=mask
 [ $real = yes ] || lady=woman
 morph faces man "$lady" man figure10

@@ -1,9 +1,9 @@
-# roles.sh - the mesh, title, view and corners for each surface of the paper.
+# roles.sh - the mesh, title, view and corners of each surface; a surface is called by its role.
 
 real=no
 [ ! -d "$meshes" ] || real=yes
 
-# mesh ROLE: the file of a surface; without real meshes mkmesh makes one of its kind.
+# mesh ROLE: prints the mesh file of a surface; without real meshes mkmesh makes one of its kind.
 mesh() {
 	if [ $real = yes ]; then
 		case $1 in
@@ -68,7 +68,7 @@ title() {
 	esac
 }
 
-# view ROLE: the options of render.py for its best view.
+# view ROLE: prints the options of render.py for a good view of the surface.
 view() {
 	case $real-$1 in
 	yes-man)    echo --from=-0.45,-0.1,1 --up=0.03,1,0 ;;
@@ -85,8 +85,8 @@ view() {
 	esac
 }
 
-# chart ROLE: options of mesh2rect: corners, such that the human faces (man, woman) are upright on
-# the rectangle; for the Buddha also --flip, so that its normals point outward.
+# chart ROLE: prints options of mesh2rect: the corners, chosen so that the human faces (man, woman)
+# are upright on the rectangle; for the Buddha also --flip, so that its normals point outward.
 chart() {
 	case $real-$1 in
 	yes-man)    echo '-c -66,-34,-888;21,-42,-811;29,90,-830;-70,100,-877' ;;
@@ -95,5 +95,5 @@ chart() {
 	esac
 }
 
-# turned ROLE: the same without the corners, which --like chooses.
+# turned ROLE: prints the same options without the corners, for use with --like, which chooses them.
 turned() { [ "$real-$1" != yes-buddha ] || echo --flip; }

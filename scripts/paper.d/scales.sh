@@ -2,8 +2,9 @@
 
 scales=0,0.2,0.5,1,2,5
 
-# multi ROLE: $w/ROLE-scales.lhg, a surface for each of $scales, and its measures: bending energy
-# and distances in percent, and the share of coefficients kept.
+# multi ROLE: makes $w/ROLE-scales.lhg, a surface for each of $scales, and measures it: the bending
+# energy in percent of the original's, the distances from the original in percent of sqrt(area),
+# the percentage of coefficients kept, and the pairs of crossing faces.
 multi() {
 	lhfft -v -K $scales "$w/$1-lh.lhg" -o "$w/$1-f.lhg" 2>"$w/$1.kept" || die "$(tail -n 1 "$w/$1.kept")"
 	kept "$1" >"$w/$1.share"
@@ -17,12 +18,13 @@ multi() {
 	column "$1-scales" self_intersections_b >"$w/$1.self"
 }
 
-# kept ROLE: percent of the coefficients of both fields, from the notes of lhfft -v.
+# kept ROLE: prints how many percent of the coefficients of both fields lhfft -v kept, by its notes.
 kept() {
 	awk '/ of lambda kept/ { a = $3; n = $5 } / of lambda H kept/ { printf "%.3g ", 100*(a + $3)/(n + $5) }' "$w/$1.kept"
 }
 
-# bends ROLE: tests that its bending energy stays below 103 % and falls from K = 0.5 on.
+# bends ROLE: tests that the bending energy is at most 103 % of the original's and falls from
+# K = 0.5 on.
 bends() {
 	awk '{ for (i = 1; i <= NF; i++) if (!($i <= 103)) bad = 1
 	       for (i = 4; i <= NF; i++) if (!($i < $(i-1))) bad = 1 } END { exit bad }' "$w/$1.bending"
@@ -30,7 +32,7 @@ bends() {
 
 table_line() { printf '| %s | %s |\n' "$(title "$1")" "$(awk '{ for (i = 1; i <= NF; i++) printf "%s%.3g", (i > 1 ? " | " : ""), $i }' "$2")"; }
 
-# scale_table FILE-SUFFIX: one row for each surface.
+# scale_table MEASURE: adds a table of $w/ROLE.MEASURE to the report, one row for each surface.
 scale_table() {
 	say "| K | $(echo $scales | sed 's/,/ | /g') |" '|---|---|---|---|---|---|---|'
 	for role in $kinds; do
@@ -39,7 +41,7 @@ scale_table() {
 	say ''
 }
 
-# row ROLE NAME: the original and the surface at each scale above 0.
+# row ROLE NAME: makes figure NAME of the original and the surface at each scale above 0.
 row() {
 	render --size=$side $(view "$1") "$w/$1-scale-0-%d.png" "$w/$1.lhg"
 	render --size=$side $(view "$1") "$w/$1-scale-%d.png" "$w/$1-scales.lhg"
@@ -54,7 +56,7 @@ row() {
 	figure "$into" $side 3 "$@"
 }
 
-# few: the man's face from a small share of its coefficients.
+# few: makes a figure of the man's face from small shares of its coefficients.
 few() {
 	nodes=$(((cells + 1)*(cells + 1)))
 	set -- "$w/man-scale-0-1.png" 'original' '' ''
@@ -72,7 +74,8 @@ few() {
 
 hue() { echo 1b6ca8 d1495b 2e933c e6a100 7b4fa3 17becf 8c564b e377c2 4d4d4d | cut -d' ' -f"$1" | sed 's/^/#/'; }
 
-# distance_plot: mean distance against the share of coefficients kept, a line for each surface.
+# distance_plot: plots the mean distance from the original against the share of coefficients kept,
+# one curve for each surface.
 distance_plot() {
 	plot='' colour=0
 	for role in $kinds; do

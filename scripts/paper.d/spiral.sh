@@ -1,6 +1,6 @@
 # spiral.sh - Figures 8 and 9: a spiral becomes part of a Moebius strip.
 
-# crossing STREAM: for each frame, the number of pairs of faces that cross, in $w/STREAM.self.
+# crossing STREAM: writes the number of pairs of crossing faces of each frame to $w/STREAM.self.
 crossing() {
 	diffs "$1" "$1" --no-hausdorff
 	column "$1" self_intersections_a >"$w/$1.self"
@@ -55,9 +55,10 @@ shown figure8 'Figure 8: the ends, and two frames by linear positions and by lam
 shown figure9 'Figure 9: pairs of faces that cross'
 say "Frames with faces that cross: linear $(frames_with straight) (the paper: 29-35); by lambda and H $(frames_with strip) (the paper: none);" \
 	"by lambda and H within the straight lines between the two boundary curves, (20): $(frames_with held)." '' \
-	'Where those lines run through the strip no surface is free of crossings, so the boundary is found too. lambda and H of' \
-	'such strips leave bendings free: the last frame has those of the Moebius part, and is another such strip,' \
-	"$(short "$(column strip-end mean_rel 100 | awk '{ print $NF }')") % of sqrt(area) from it in the mean." ''
+	'Where those lines run through the strip, every surface has crossings, so the boundary is computed' \
+	'too. lambda and H do not determine such a strip: it can bend while keeping both. So the last frame,' \
+	'with lambda and H of the Moebius part, is another strip; its mean distance from that part is' \
+	"$(short "$(column strip-end mean_rel 100 | awk '{ print $NF }')") % of sqrt(area)." ''
 wrong=
 [ "$(count_with strip)" = 0 ] || wrong="$(count_with strip) of $frames frames; linear positions: $(count_with straight)"
 promise "$wrong" "spiral to Moebius part: no frame with faces that cross by (lambda, H)"

@@ -1,6 +1,6 @@
 # table.sh - Table 1: the error of the reconstruction from lambda, H and the boundary (K = 0).
 
-# papers ROLE: max, mean, max over sqrt(area), as printed in the paper's Table 1.
+# papers ROLE: prints max, mean, and max over sqrt(area) from Table 1 of the paper.
 papers() {
 	case $1 in
 	man)    echo '3.0033 | 1.0771 | 1.67 %' ;;
@@ -44,7 +44,7 @@ done
 say ''
 promise "$worse" "K = 0 gives the surface back to at most the paper's largest error, 1.83 % of sqrt(area) (Table 1)"
 
-# where ROLE: a picture of its error over the surface.
+# where ROLE: adds a picture of the error on the surface to the report.
 where() {
 	python paper.d/apart.py "$w/$1.lhg" "$w/$1-back.lhg" "$w/$1-apart.lhg"
 	render --size=$side $(view "$1") --paint="$w/$1-apart.lhg:distance" --top=0.2 \
