@@ -1,9 +1,9 @@
-# arrows.bats - scripts/arrows and scripts/untracked find what they look for.
+# arrows.bats - scripts/arrows finds forbidden uses; scripts/untracked finds stray files.
 
 load helper
 
-# A tree of two wings, of which b may use a; compiled once, and copied for each test with its time
-# stamps.
+# A tree of two wings, a and b; b may use a.  It is compiled once.  Each test gets a copy with the
+# same time stamps, so that build() compiles only what the test adds or changes.
 setup_file() (
 	cd "$BATS_FILE_TMPDIR"
 	mkdir -p lib/a lib/b format cmd/shared cmd/p build/lib/a build/lib/b

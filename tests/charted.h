@@ -16,7 +16,7 @@ typedef struct Charted {
 	Mesh           m;
 	double        *u, *v;
 	Jet           *jet;
-	int            low, limited;    /* how many vertices have this state (gradient.h) */
+	int            low, limited;    /* vertices whose state has GRADIENT_LOW, GRADIENT_LIMITED */
 	Clough         c;
 } Charted;
 

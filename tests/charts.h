@@ -1,4 +1,4 @@
-/* charts.h - charts whose sides are glued together, for tests; no program makes them yet. */
+/* charts.h - charts with joined sides (lib/base/chart.h), for tests; no program makes them yet. */
 #ifndef CHARTS_H
 #define CHARTS_H
 

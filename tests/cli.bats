@@ -1,4 +1,4 @@
-# The command line: help, version, mistakes, wrong and missing input, for every command.
+# cli.bats - the command line of every command: help, version, mistakes, wrong and missing input.
 
 load helper
 
@@ -73,7 +73,7 @@ setup_file() {
 		run ! grep -q $'\e' "$tmp/err"
 	done
 	try 2 'operand t\?o is one too many' /dev/null grid2lh one $'t\no'
-	# U+009B, alone and as one byte, begins an escape sequence too
+	# U+009B begins an escape sequence too, both as UTF-8 and as a single byte
 	try 2 'operand \?\?2J\?2J is one too many' /dev/null grid2lh one $'\xc2\x9b2J\x9b2J'
 	try 2 $'operand caf\xc3\xa9-\xc3\xbc-\xe2\x88\x82 is one too many' /dev/null grid2lh one $'caf\xc3\xa9-\xc3\xbc-\xe2\x88\x82'
 	cp "$tmp/lh" "$tmp/"$'caf\xc3\xa9 \xc2\x9b\x9b\e'
@@ -122,7 +122,7 @@ setup_file() {
 }
 
 @test "corners: by number, by point, by file, and what is wrong with them" {
-	# corner K of the cap's box: its vertices 0 1 2 3 are at -135, -45, 45, 135 degrees
+	# the points are vertices 0 1 2 3 of the cap, which lie at -135, -45, 45 and 135 degrees
 	points=$(awk 'NR > 2 && NR <= 6 { printf "%s%.4f,%.4f,%.4f", (NR > 3 ? ";" : ""), $1, $2, $3 }' "$tmp/cap.off")
 	printf '0 1\n2,3\n' >"$tmp/corners"
 	echo "$points" | tr ';,' '\n ' >"$tmp/points"
@@ -186,7 +186,7 @@ setup_file() {
 	try 0 'Beltrami' "$tmp/phi" grid2lh -v
 }
 
-# setting NAME: its value in OpenMP's run time of a command.
+# setting NAME: prints the value of NAME that libgomp uses in a command.
 setting() {
 	OMP_DISPLAY_ENV=verbose lh2grid --version 2>&1 | sed -n "s/^ *$1 = '\(.*\)'/\1/p"
 }
@@ -280,7 +280,7 @@ setting() {
 	done
 	mesh2rect -q -n 8 "it's.off" | sed -n 's/^history //p' >step
 	echo "mesh2rect --cells=8 'it'\\''s.off'  # lhgrid $(mesh2rect --version | cut -d' ' -f3)" | cmp - step
-	# a step that is too long is cut after a word
+	# the text of a step that is too long is cut after a word
 	lhinterp -q -t "0$(printf ',0.%0500d' $(seq 9))" "$tmp/lh" "$tmp/lh" | sed -n '/^history lhinterp/{p;q}' >step
 	grep -q '^history lhinterp ...  # lhgrid [0-9.]*$' step
 }
@@ -312,7 +312,8 @@ setting() {
 	[ "$(wc -c <"$tmp/steps")" -le 16384 ]
 	[ "$(wc -c <"$tmp/steps")" -gt 14000 ]
 	[ "$(grep -c 'earlier steps' "$tmp/steps")" = 1 ]
-	# 2 steps of the grid, and 3 more with each mean: the count includes all of them
+	# The first grid has 2 steps.  Each mean adds the 2 steps of the second grid and its own.  The
+	# steps counted in the first line and the steps listed below it must add up to all of them.
 	head -1 "$tmp/steps" | grep -qE '^# earlier steps: [0-9]+, CRC-32 [0-9a-f]{8}$'
 	[ $(($(head -1 "$tmp/steps" | tr -dc '0-9 ,' | cut -d, -f1) + $(wc -l <"$tmp/steps") - 1)) = $((2 + 149*3)) ]
 	tail -1 "$tmp/steps" | grep -q '^lhinterp --at=0.5 '

@@ -1,6 +1,7 @@
-# Damaged streams: cut at every length, changed at every byte, for every stage.  A library
-# test does all 255 changes of each byte; here each command is started for each place, so
-# a sanitizer build, ten times slower to start, takes every 13th.
+# damage.bats - every command refuses streams that are cut at any length or changed at any byte.
+# One command is started for each cut or change, so only one bit of each byte is changed here;
+# tests/test_lhg.c makes all 255 changes of each byte.  Under sanitizers, where a command starts ten
+# times slower, only every 13th byte is tried.
 
 load helper
 
@@ -38,7 +39,7 @@ damage() {
 	try 1 '.' "$tmp/2" lhinfo
 	try 1 '.' "$tmp/swapped" lhinfo
 	try 1 '.' "$tmp/extra" lhinfo
-	# frame 1 is good and may be on its way when the second fails
+	# frame 1 is good, so lhfft may already have written it when frame 2 is refused
 	lhfft -K 0 <"$tmp/1" >/dev/null 2>&1 && return 1
 	lhfft -K 0 <"$tmp/doubled" >/dev/null 2>&1 && return 1
 	lhfft -K 0 <"$tmp/two.lh" >/dev/null

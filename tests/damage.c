@@ -4,7 +4,8 @@
  *   damage cut    STEP FILE COMMAND...     the file is cut to 0, STEP, 2 STEP .. bytes
  *   damage change STEP FILE COMMAND...     the lowest bit of byte 0, STEP, 2 STEP .. is flipped
  *
- * Exits with 0, or prints the first damage that was not refused and exits with 1.
+ * The damaged file is the stdin of COMMAND.  Exits with 0, or prints the first damage that was not
+ * refused and exits with 1.
  */
 #include <stdio.h>
 #include <stdlib.h>

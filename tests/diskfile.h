@@ -1,4 +1,5 @@
-/* diskfile.h - a mesh file as a disk, for programs that only measure. */
+/* diskfile.h - reads a mesh file as a disk, for the programs that only measure (loss_cost.c,
+ * plain_cholmod.c). */
 #ifndef DISKFILE_H
 #define DISKFILE_H
 
@@ -8,7 +9,7 @@
 #include "../lib/mesh/disk.h"
 #include "../lib/meshfile/meshfile.h"
 
-/* Reports the reason, and exits with 1. */
+/* Prints the reason to stderr and exits with 1. */
 static void
 quit(const char *why)
 {
@@ -16,7 +17,7 @@ quit(const char *why)
 	exit(1);
 }
 
-/* Reads the disk in the file, or quits. */
+/* Reads the file as a disk, to be freed by disk_free, or quits. */
 static void
 load(const char *path, Disk *d)
 {

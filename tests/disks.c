@@ -1,4 +1,4 @@
-/* disks.c - random disks: plane domains with Delaunay triangulations, then bent in space. */
+/* disks.c - random disks: plane domains are triangulated, then given heights or bent in space. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -84,8 +84,9 @@ area(const Made *m, const int *c)
 	return (b[0] - a[0])*(e[1] - a[1]) - (b[1] - a[1])*(e[0] - a[0]);
 }
 
-/* Whether the triangles marked `in` remain a disk when triangle f is added to them: f shares two
- * sides with them, or shares one side and they do not use its opposite corner. */
+/* Whether the triangles marked `in` remain a disk when triangle f is added: f shares two sides with
+ * them, or it shares one side and the corner opposite this side is not among their vertices, which
+ * are marked `used`. */
 static int
 extends(const Made *m, const Topology *t, const unsigned char *in, const unsigned char *used, int f)
 {
@@ -102,7 +103,7 @@ extends(const Made *m, const Topology *t, const unsigned char *in, const unsigne
 	return shared == 2 || (shared == 1 && !used[opposite]);
 }
 
-/* Keeps only triangles that form a disk, grown from the largest one. */
+/* Keeps only triangles that form a disk, which is grown from the largest triangle. */
 static int
 keep_disk(Made *m)
 {
@@ -139,8 +140,8 @@ keep_disk(Made *m)
 	return 0;
 }
 
-/* Makes the Delaunay triangulation of the points scaled by sx and sy.  If n > 0, keeps only the
- * triangles whose centroid is inside the polygon. */
+/* Triangulates the points as Delaunay's triangulation does when they are scaled by sx and sy.  If
+ * n > 0, keeps only triangles whose centroid is inside the polygon poly of n corners. */
 static int
 triangulate(Made *m, double sx, double sy, int n, double poly[][2])
 {
@@ -278,8 +279,8 @@ spiral(Made *m, int n)
 	return rectangle(m, n, power(m, .7, 1.6));
 }
 
-/* A lattice of squares.  The corners of each lie on a circle, so its Delaunay triangulation is not
- * unique; half of the lattices have random points inside as well. */
+/* A lattice of squares.  The four corners of a square lie on a circle, so the Delaunay triangulation
+ * is not unique.  Half of the lattices have random points inside as well. */
 static int
 grid(Made *m, int n)
 {
@@ -339,7 +340,8 @@ insert(Made *m)
 	}
 }
 
-/* The height of point i, which is at (x,y); a holds 16 random numbers, the same for all points. */
+/* The height of point i, in units of the size of the disk.  (x,y) is its place, from -1/2 to 1/2; a
+ * holds 16 random numbers, the same for all points. */
 typedef double Height(Made *m, int i, double x, double y, const double *a);
 
 static double

@@ -7,7 +7,7 @@ load helper
 	[ -z "$output" ]
 }
 
-# The false citations are spelled in two parts, since this file is checked too.
+# Each false citation below is written in two parts, because scripts/citations reads this file too.
 @test "a citation of something that does not exist is found" {
 	local copy=$tmp/copy page=doc/mathematics d=DESI
 	mkdir "$copy"

@@ -1,4 +1,4 @@
-# The examples run, "make install" installs, and what the README shows is true.
+# examples.bats - the examples, "make install" and the make rules of the README work.
 
 load helper
 

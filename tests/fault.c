@@ -3,14 +3,14 @@
  *
  *   FAULT="CALL N ERROR"       the N-th call of CALL fails with errno ERROR, a number
  *   FAULT="CALL N+ ERROR"      the N-th and all later calls fail
- *   FAULT="CALL N+ short"      these calls, of read or write, transfer only one byte
+ *   FAULT="CALL N+ short"      the N-th and all later calls transfer one byte; CALL is read or write
  *   FAULT="CALL N kill"        the process is killed at the N-th call
  *   FAULT="CALL odd ERROR"     the first, the third, the fifth .. call fails
  *   FAULT_COUNT=FILE           at exit, the number of calls of CALL is written to FILE
  *
- * CALL is `memory`, for all allocations, or the name of a system call.  Allocations inside
- * FFTW, OpenBLAS and libgomp, which end the process if they fail, are not included; those of
- * CHOLMOD are, through the functions that it is given.
+ * CALL is `memory`, for all allocations, or one of read, write, close, fsync, rename, mkstemp and
+ * fchmod.  Allocations inside FFTW, OpenBLAS and libgomp are not included: these libraries end the
+ * process if they get no memory.  Those of CHOLMOD are included: it is given the wrapped functions.
  */
 #define _GNU_SOURCE
 #include <errno.h>
@@ -29,11 +29,11 @@ enum { SHORT = -1, KILL = -2 };
 static struct {
 	char call[16];
 	long from, to, stride, seen;    /* calls from, from + stride, .., to fail */
-	int  error;
+	int  error;                     /* their errno, or SHORT or KILL */
 	long live;
 } fault;
 
-/* 0, or the error with which this call must fail. */
+/* Counts this call.  Returns 0, or the error with which it must fail. */
 static int
 fails(const char *call)
 {
@@ -155,7 +155,7 @@ __wrap__Znam(size_t n)
 	return __real__Znam(n);
 }
 
-/* ---- stdio streams whose memory is allocated inside libc ---- */
+/* ---- stdio streams: libc allocates their memory itself, so opening them is made to fail ---- */
 
 FILE *__real_fopencookie(void *cookie, const char *mode, cookie_io_functions_t io);
 FILE *__wrap_fopencookie(void *cookie, const char *mode, cookie_io_functions_t io);
@@ -175,7 +175,7 @@ __wrap_fmemopen(void *p, size_t n, const char *mode)
 
 /* ---- system calls ---- */
 
-/* 0, or the error with which this call must fail; then sets errno too. */
+/* Returns 0, or sets errno to the error with which this call must fail and returns the error. */
 static int
 no_call(const char *call)
 {
@@ -196,7 +196,7 @@ CALL(int, rename, (const char *from, const char *to), (from, to))
 CALL(int, mkstemp, (char *name), (name))
 CALL(int, fchmod, (int fd, mode_t mode), (fd, mode))
 
-/* A failing close still closes the descriptor, as in the kernel. */
+/* A close that fails closes the descriptor all the same, as Linux does. */
 int __real_close(int fd);
 int __wrap_close(int fd);
 int
@@ -229,8 +229,8 @@ __wrap_write(int fd, const void *bytes, size_t n)
 	return e > 0 ? -1 : __real_write(fd, bytes, e == SHORT && n > 1 ? 1 : n);
 }
 
-/* Makes CHOLMOD allocate through the wrapped functions.  They are members of a struct up to
- * SuiteSparse 6 and are set by functions from version 7 on. */
+/* Makes CHOLMOD allocate through the wrapped functions.  Up to SuiteSparse 6 they are members of a
+ * struct; from version 7 on they are set by functions. */
 static void
 replace_suitesparse(void)
 {

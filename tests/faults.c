@@ -1,5 +1,5 @@
-/* faults.c - repeatedly runs a command that is linked with fault.c.  Each time another call
- * fails, and each time the outcome must be as required.
+/* faults.c - runs a command that is linked with fault.c again and again.  In each run another call
+ * fails, and the outcome must be as required.
  *
  *   faults refused CALL ERROR SHARE COMMAND...     exit 1, one line on stderr; stdout empty,
  *                                                  or incomplete if CALL is write
@@ -8,8 +8,8 @@
  * After the run in which call N fails comes one in which call N + 1 + N/SHARE fails.  For
  * `refused`, runs in which only this call fails alternate with runs in which it and all later
  * calls fail; for `ignored`, only this call fails.  If SOAK is set, each of the first 2000 calls
- * fails, in both ways for `refused`, and SHARE is 100 for later calls.  ERROR is a value of errno,
- * or short.  Exits with 0, or prints the first fault with another outcome and exits with 1.
+ * fails, for `refused` in both ways, and SHARE is 100 for later calls.  ERROR is a value of errno,
+ * or short (fault.c).  Exits with 0, or prints the first fault with another outcome and exits with 1.
  */
 #include <signal.h>
 #include <stdio.h>
@@ -96,7 +96,7 @@ empty(FILE *f)
 	return getc(f) == EOF;
 }
 
-/* The number of calls, from the FAULT_COUNT file `name`. */
+/* Reads the number of calls from the file that FAULT_COUNT named. */
 static long
 count(const char *name)
 {

@@ -9,7 +9,7 @@ setup_file() {
 	lhinterp -q --align -n 12 "$tmp/spiral" "$tmp/moebius" -o "$tmp/morph"
 }
 
-# crossing FILE: the number of frames with crossing faces.
+# crossing FILE: prints "N of M" if N of the M frames have crossing faces.
 crossing() {
 	lhdiff --no-hausdorff "$1" "$1" | awk -F '\t' '
 		NR == 1 { for (i = 1; i <= NF; i++) if ($i == "self_intersections_a") c = i; next }

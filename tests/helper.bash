@@ -10,10 +10,10 @@ tmp=$BATS_FILE_TMPDIR
 
 # try EXIT PATTERN STDIN COMMAND...
 #
-# One case a line: the exit status; what the one line on stderr must match after
-# "command: " ('' when there must be none); standard input.  A command that fails leaves
-# stdout empty.  stdout is in $tmp/out afterwards.  Most tests use coarse grids: the note of what these lose
-# of the mesh is dropped unless the pattern is about it.
+# Runs COMMAND with the file STDIN as input and checks that it exits with EXIT.  stderr must be one
+# line that begins with "command: " and matches PATTERN, or empty if PATTERN is ''.  stdout must be
+# empty if EXIT is not 0; it is left in $tmp/out.  Most tests use coarse grids, so mesh2rect notes how
+# much of the mesh the grid loses; this note is ignored unless PATTERN is about it.
 try() {
 	local want=$1 pattern=$2 input=$3 code=0
 	shift 3
@@ -39,12 +39,12 @@ complain() {
 	return 1
 }
 
-# error_of A B NAME: a number that lhdiff prints, over sqrt(area).
+# error_of A B NAME: prints the number NAME of lhdiff A B, such as max_rel, the max over sqrt(area).
 error_of() {
 	lhdiff --no-hausdorff --no-self-intersections "$1" "$2" | awk -v n="$3" '$1 == n { print $2 }'
 }
 
-# below X Y: X is a number and less than Y.
+# below X Y: checks that X is a number and less than Y.
 below() {
 	awk -v x="$1" -v y="$2" 'BEGIN { exit !(x ~ /^[0-9.e+-]+$/ && x + 0 < y + 0) }' ||
 		{ echo "$1 is not below $2"; return 1; }

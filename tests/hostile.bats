@@ -1,4 +1,5 @@
-# Hostile input: a correct result or one line with the reason, and always an end.
+# hostile.bats - with hostile input a command gives a correct result or one line with the reason, and
+# never hangs.
 
 load helper
 
@@ -10,12 +11,13 @@ setup_file() {
 	export OMP_NUM_THREADS=1
 }
 
-# soon COMMAND...: stops it after a minute.
+# soon COMMAND...: runs COMMAND and stops it after a minute.
 soon() {
 	timeout 60 "$@"
 }
 
-# told PATTERN FILE COMMAND...: it exits 1 with one line that matches.
+# told PATTERN FILE COMMAND...: checks that COMMAND... FILE exits with 1, writes nothing to stdout, and
+# one line to stderr that matches PATTERN.
 told() {
 	local pattern=$1 code=0
 	shift
@@ -30,7 +32,7 @@ hostile() {
 	/usr/bin/python3 tests/hostile.py "$@"
 }
 
-# mesh NAME VERTICES.. : FACES: writes an OFF file.
+# mesh NAME VERTICES.. : FACES..: writes an OFF file to $tmp/NAME.
 mesh() {
 	/usr/bin/python3 - "$@" >"$tmp/$1" <<-'END'
 		import sys
@@ -133,7 +135,7 @@ for c in 'xyz': g[c][:] *= $s"
 }
 
 @test "grids that are no surface, and lambda and H of no surface, are refused" {
-	# SOURCE; what is done to it; the message; the command
+	# each line: the file SOURCE; Python code that spoils its grid g; the message; the command
 	while IFS=';' read -r source code line command; do
 		[ -n "$source" ] || continue
 		hostile "$tmp/$source" "$tmp/bad" "$code"
@@ -178,7 +180,7 @@ for c in 'xyz': g[c][:] *= $s"
 }
 
 @test "unusual but valid numbers give a correct result" {
-	# without a start the surface is the same; denormals are numbers; -0 is 0
+	# denormal numbers and -0 are valid; a grid without start channels acts as with --no-start
 	hostile "$tmp/lh" "$tmp/odd" "
 g['H'][3, 3] = 5e-324
 g['H'][4, 4] = -0.0"
@@ -196,7 +198,8 @@ for c in 'xyz': del g.channels['start.' + c]"
 	told 'too large for STL' "$tmp/big" grid2mesh -o "$tmp/x.stl"
 }
 
-# endless COMMAND...: with endless input from yes, it soon exits with one line.
+# endless COMMAND...: checks that COMMAND, fed with endless lines of $words [y], exits with 1 within
+# 10 seconds, writes nothing to stdout, and one line to stderr that matches $pattern.
 endless() {
 	local code=0
 	yes "${words:-y}" | timeout 10 "$@" >"$tmp/out" 2>"$tmp/err" || code=${PIPESTATUS[1]}
@@ -207,7 +210,7 @@ endless() {
 }
 
 @test "nodes where phi_u is parallel to phi_v are noted, and H is 0 there" {
-	# columns 3 to 5 lie on one line, so both derivatives at the inner nodes of column 4 do
+	# columns 3 to 5 lie on a straight line, so phi_u and phi_v at inner nodes of column 4 do too
 	hostile "$tmp/phi" "$tmp/folded" 'g = size(9, 7)
 v, u = np.mgrid[:7, 3:6]
 for c, a in zip("xyz", (0.3, 0.7, -0.2)): g[c][:, 3:6] = a*(u/8 + 0.37*v/6)'

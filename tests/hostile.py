@@ -1,5 +1,5 @@
-"""hostile.py SOURCE TARGET CODE: reads the grid g of SOURCE, runs CODE, writes g to TARGET.
-In CODE, size(n, m) makes another grid with all the channels that grid2lh writes."""
+"""hostile.py SOURCE TARGET CODE: reads the first grid of SOURCE as g, runs CODE, writes g to TARGET.
+In CODE, size(nu, nv) returns a grid of that size with x y z and the channels that grid2lh writes."""
 import sys
 
 import numpy as np

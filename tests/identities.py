@@ -1,8 +1,10 @@
 #!/usr/bin/python3
-"""identities.py - the equations of doc/mathematics.md 2 and 7.1 on surfaces in isothermal coordinates.
+"""identities.py - checks the equations of doc/mathematics.md 2 and 7.1 on surfaces in isothermal
+coordinates.
 
-Derivatives are those of power series in (u,v), so they are exact up to rounding.  Prints
-what does not hold, exit 1; also the ratio that the paper's printed (10) and (15) are off by."""
+Derivatives are those of power series in (u,v), so they are exact up to rounding.  Prints every
+equation that does not hold; then exits with 1.  Also prints the ratios of (10) and (15), as they are
+printed in the paper, to the right values."""
 import math
 import sys
 
@@ -10,7 +12,7 @@ DEGREE = 5
 
 
 class Series:
-    """A function of (u,v) near a point: c[i,j] u^i v^j, i + j <= DEGREE."""
+    """A function of (u,v) near a point: the sum of c[i,j] u^i v^j over i + j <= DEGREE."""
     def __init__(self, c):
         self.c = {k: x for k, x in c.items() if x != 0}
 
@@ -43,7 +45,7 @@ class Series:
         return self*(b**-1 if isinstance(b, Series) else 1/b)
 
     def compose(self, taylor):
-        """taylor(x, k): the k-th Taylor coefficient at x."""
+        """f(self), where taylor(x, k) is the k-th Taylor coefficient of f at x."""
         x = self.at()
         d, power, out = self - x, Series({(0, 0): 1}), Series({})
         for k in range(DEGREE + 1):
@@ -125,7 +127,7 @@ def laplacian(f):
 
 
 def minus(f, *terms):
-    """The vector f minus its components (factor, vector)."""
+    """The vector f minus the sum of factor*vector over the terms (factor, vector)."""
     return [f[k] - sum(a*x[k] for a, x in terms) for k in range(3)]
 
 

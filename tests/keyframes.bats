@@ -12,12 +12,12 @@ setup_file() {
 	lh2grid -v --keyframes=3 "$tmp/morph" -o "$tmp/keys" 2>"$tmp/keys.said"
 }
 
-# solves FILE: the Poisson solves of all frames that lh2grid -v reported in FILE.
+# solves FILE: prints the number of Poisson solves of all frames, as lh2grid -v reported them in FILE.
 solves() {
 	awk '/vector Poisson/ { for (i = 2; i <= NF; i++) if ($i == "vector") s += $(i-1) } END { print s }' "$1"
 }
 
-# apart NAME: column NAME of lhdiff's table of alone against keys, a line for each frame.
+# apart NAME: prints column NAME of lhdiff alone keys, one line for each frame.
 apart() {
 	lhdiff --no-hausdorff --no-self-intersections "$tmp/alone" "$tmp/keys" | awk -F '\t' -v n="$1" '
 		NR == 1 { for (i = 1; i <= NF; i++) if ($i == n) c = i; next } { print $c }'
@@ -39,7 +39,7 @@ apart() {
 	cat "$tmp/cap" "$tmp/other" "$tmp/cap" | lh2grid | lh2grid_bytes | cmp - "$tmp/mixed"
 }
 
-# The samples x y z of a stream, without history.
+# Prints the bytes of the samples of x, y and z of a stream, without its headers.
 lh2grid_bytes() {
 	/usr/bin/python3 -c 'import sys; sys.path.insert(0, "scripts"); import lhg
 for g in lhg.read(sys.stdin.buffer):

@@ -1,5 +1,5 @@
-# Commands killed at any moment: FILE is absent, old or complete, and so is the output of a
-# pipeline. 200 times with SOAK set.
+# kill.bats - commands are killed at random moments: the FILE of -o is then absent, old or complete.
+# This is tried 20 times, with SOAK set 200 times.
 
 load helper
 
@@ -11,8 +11,8 @@ setup_file() {
 	lhinterp -n 300 "$tmp/lh" "$tmp/lh" -o "$tmp/whole"
 }
 
-# at_random FROM COMMAND...: kills COMMAND by -9 after a random time of up to 1.2 times its run
-# time.
+# at_random COMMAND...: kills COMMAND by -9 after a random time of up to 1.2 times $took, its run time
+# in seconds.
 at_random() {
 	local pid
 	"$@" 2>/dev/null &

@@ -1,4 +1,4 @@
-# lh2grid.bats - the surface method at the shell.
+# lh2grid.bats - lh2grid: the surface method, its options, metadata and messages.
 
 load helper
 
@@ -40,7 +40,7 @@ setup_file() {
 	sort -rnc "$tmp/bending"
 }
 
-# meta FILE KEY
+# meta FILE KEY: prints the value of a metadatum.
 meta() {
 	lhinfo "$1" | awk -v k="$2" '$0 ~ k { print $NF }'
 }

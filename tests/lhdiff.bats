@@ -20,7 +20,7 @@ setup_file() {
 	END
 }
 
-# column FILE NAME: one column of a table.
+# column FILE NAME: prints one column of a table, one value a line.
 column() {
 	awk -F '\t' -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) k = i } NR > 1 { print $k }' "$1"
 }

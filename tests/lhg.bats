@@ -1,5 +1,5 @@
-# The samples of tests/lhg, read by the commands and by lhg.py; test_lhgcorpus reads them with the
-# library.
+# lhg.bats - the commands and scripts/lhg.py read the sample files of tests/lhg.  The unit test
+# test_lhgcorpus reads them by the library.
 
 load helper
 

@@ -1,4 +1,4 @@
-/* lhgbytes.h - streams of .lhg as bytes, including invalid ones that the writer would refuse. */
+/* lhgbytes.h - makes .lhg streams as bytes, including invalid ones that the writer would refuse. */
 #ifndef LHGBYTES_H
 #define LHGBYTES_H
 

@@ -10,13 +10,14 @@ setup() {
 	export OPENBLAS_NUM_THREADS=1   # numpy starts in half the time
 }
 
-# py CODE: runs Python with the modules and the path of the sample as argument.
+# py CODE: runs CODE in Python, with io, sys, lhg and numpy as np; sys.argv[1] is the path of the
+# sample that the C code wrote.
 py() {
 	/usr/bin/python3 -c "import io, sys, lhg, numpy as np
 $1" "$dir/c.lhg"
 }
 
-# refused FILE MESSAGE: lhg.py FILE exits 1 with that one line.
+# refused FILE MESSAGE: checks that lhg.py FILE exits with 1 and one line that contains MESSAGE.
 refused() {
 	run --separate-stderr $lhg "$1"
 	[ "$status" -eq 1 ]
@@ -81,7 +82,7 @@ for g.T in 1, 0.7, 1e-5, 0.1, 3e20:
 '
 	for T in 1 0.7 1e-05 0.1 3e+20; do
 		run ! $sample check <"$dir/c.lhg.$T"
-		[[ "$output" == *"is not the sample's" ]]       # so the C reader accepted it
+		[[ "$output" == *"is not the sample's" ]]       # so the C reader accepted the height
 	done
 }
 

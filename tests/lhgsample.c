@@ -1,4 +1,4 @@
-/* lhgsample - a small stream of two frames with channels of every support, for lhgpy.bats:
+/* lhgsample.c - a small stream of two frames with channels of every support, for lhgpy.bats:
  *
  *   lhgsample        writes the stream to stdout
  *   lhgsample check  reads stdin and fails unless it is that stream
@@ -60,7 +60,8 @@ same(const Lhg *a, const Lhg *b)
 	return 1;
 }
 
-/* Writes the frame g to s, or with check compares it with the next frame of s; frees g. */
+/* Writes the frame g to s or, if `check`, compares it with the next frame of s.  Frees g.  Returns 0,
+ * or nonzero with the reason in s->err. */
 static int
 frame(LhgStream *s, Lhg *g, int check)
 {

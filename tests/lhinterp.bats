@@ -1,4 +1,4 @@
-# lhinterp.bats - times, landmarks, alignment, and which quarter turn.
+# lhinterp.bats - lhinterp: times, landmarks, alignment, scale, and the note on quarter turns.
 
 load helper
 
@@ -14,8 +14,9 @@ setup_file() {
 	printf '0.3 0.5\n1 1.1 # a comment\n\n2.2, 2\n3\t2.9\r\n' >"$tmp/marks"
 }
 
-# python SCRIPT ARGS..: with lhg and numpy; read(f) is a list of grids, ring(g) the band's
-# border [n][3] counterclockwise.
+# python SCRIPT ARGS..: runs SCRIPT with lhg and numpy as np.  read(f) is the list of grids of a file;
+# whole(g, name) a channel as [nv][nu], NaN where it has no sample; ring(g) the outermost nodes of the
+# band, [n][3], counterclockwise from node (0,0).
 python() {
 	/usr/bin/python3 -c "import sys; sys.path.insert(0, 'scripts'); import lhg, numpy as np
 def read(f): return list(lhg.read(f))
@@ -27,7 +28,7 @@ def ring(g):
 $1" "${@:2}"
 }
 
-# equal A B: the last grids of A and B have equal channels, bit for bit.
+# equal A B: checks that the last grids of A and B have equal channels, bit for bit.
 equal() {
 	python 'a, b = (read(f)[-1] for f in sys.argv[1:3])
 assert a.T == b.T and list(a.channels) == list(b.channels)
@@ -68,8 +69,7 @@ assert np.allclose(got, [t*t*(3 - 2*t) for t in (0, 0.25, 0.5, 0.75, 1)], rtol=0
 	try 2 'at=nan: need a number in \[0,1\]' /dev/null lhinterp -t nan a b
 }
 
-@test "landmarks at the corners, on sides of equal arc length, move the border by equal places" {
-	# between A and A, pairs of equal landmarks change nothing
+@test "between A and A, pairs of equal landmarks change nothing" {
 	printf '%s\n' '0.2 0.2' '1.7 1.7' '3 3' >"$tmp/same"
 	lhinterp -q -t 0.5 --landmarks="$tmp/same" "$tmp/a" "$tmp/a" -o "$tmp/half"
 	python 'a, h = (read(f)[0] for f in sys.argv[1:])
@@ -77,7 +77,7 @@ for c in a.channels: assert abs(a[c] - h[c]).max() < 1e-9*abs(a[c]).max(), c' "$
 }
 
 @test "the two places of a landmark pair are joined at every t; lambda and H stay" {
-	# all of these are nodes, on A, on B, and at t = 0.25 and 0.5
+	# each place is at a node: on A, on B, and, interpolated, at t = 0.25 and 0.5
 	printf '%s\n' '0.33333333333333333 0.66666666666666667' '1.2 1.4' '2.25 2.5833333333333333' '3.2 3' >"$tmp/nodes"
 	lhinterp -q -t 0.25,0.5 --landmarks="$tmp/nodes" "$tmp/a" "$tmp/b" -o "$tmp/marked"
 	lhinterp -q -t 0.25,0.5 "$tmp/a" "$tmp/b" -o "$tmp/plain"
@@ -94,7 +94,7 @@ for m, p in zip(read(sys.argv[3]), read(sys.argv[4])):
         assert abs(at(m, (1 - t)*i + t*j) - want).max() < 1e-9*size, (t, i)
         assert abs(at(p, (1 - t)*i + t*j) - want).max() > 1e-3*size
     for c in "lambda", "H": assert m[c].tobytes() == p[c].tobytes()
-    # the inner rings and the lattice move by the Coons patch of the displaced border
+    # the inner rings and the lattice move by the Coons patch of the displacement of the border
     u, v = np.meshgrid(np.arange(nu)/(nu - 1), np.arange(nv)/(nv - 1))
     for c in "xyz":
         d = whole(m, "band." + c) - whole(p, "band." + c)

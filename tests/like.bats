@@ -8,13 +8,13 @@ setup_file() {
 	mesh2rect -n 32 -c '90,30,0;-30,90,0;-90,-30,0;30,-90,0' "$tmp/face.off" -o "$tmp/a" || return 1
 }
 
-# The corners in a grid's metadata.
+# corners FILE: prints the corners from the metadata of a grid.
 corners() {
 	lhinfo "$1" | awk '$1 == "meta" && $2 == "corners" { print $3 }'
 }
 
-# turned FROM TO: writes the mesh moved in space, in other units, with its vertices in reverse
-# order.
+# turned FROM TO: writes the mesh FROM to TO, rotated, translated, 50 times as large, and with its
+# vertices in reverse order.
 turned() {
 	awk 'NR == 2 { n = $1 } NR <= 2 { print; next }
 		NR <= n + 2 { v[NR - 3] = 50*(0.36*$1 + 0.48*$2 - 0.8*$3) + 7 " " 50*(-0.8*$1 + 0.6*$2) " " 50*(0.48*$1 + 0.64*$2 + 0.6*$3)
@@ -29,7 +29,7 @@ turned() {
 	lhinfo "$tmp/b" | awk '$2 == "like" { exit !($3 < 0.05) }'
 	for k in 1 2 3 4; do
 		want=$(corners "$tmp/a" | cut -d , -f $k) got=$(corners "$tmp/b" | cut -d , -f $k)
-		# the nearest vertex, or its neighbour on the boundary
+		# the same vertex: no edge of the mesh is shorter than 0.4
 		awk -v a="$want" -v b="$((n - 1 - got))" 'NR > 2 && NR - 3 == a { x = $1; y = $2; z = $3 }
 			NR - 3 == b { p = $1; q = $2; r = $3 } END { exit !((x-p)^2 + (y-q)^2 + (z-r)^2 < 0.2^2) }' "$tmp/face.off"
 	done
@@ -83,9 +83,8 @@ lhg.write(sys.stdout.buffer, [g])') mesh2rect --like=- "$tmp/face.off"
 @test "real faces get the quarter turn that a person would choose" {
 	[ -d "$meshes/good" ] || skip "no meshes"
 	local faces="face_man_scan_6k.off face_neutral_1875.obj face_smile_1656.obj face_nefertiti_4.6k.off"
-	# All faces are upright, except that the man's is turned by 30 degrees.  Seen from the
-	# middle of its face, corner k of A is in the same direction as corner k of B, to 60
-	# degrees.
+	# All scans are upright, except that the man's head is turned by 30 degrees.  From the middle of
+	# its scan, corner k of A lies in the same direction as corner k of B, to 60 degrees.
 	for a in ${faces% face_smile*}; do
 		mesh2rect -q -n 24 --split=0 --polish=0 "$meshes/good/$a" -o "$tmp/fa"
 		for b in $faces; do

@@ -1,4 +1,4 @@
-# loss.bats - what a grid does not hold of its mesh.
+# loss.bats - how much of its mesh a grid loses: what mesh2rect measures, notes and refuses.
 
 load helper
 
@@ -9,7 +9,8 @@ setup_file() {
 	rod 100 >"$tmp/long.off"
 }
 
-# rod N: a disk of radius 1 with a rod of radius .2 and length .04 N in its middle, closed by a tip.
+# rod N: prints a mesh: a disk of radius 1 from whose middle a rod of radius .2 and length .04 N rises,
+# closed by a tip.
 rod() {
 	/usr/bin/python3 - "$1" <<-'END'
 		import math, sys
@@ -36,7 +37,7 @@ meta() {
 	lhinfo --json "$1" | /usr/bin/python3 -c 'import json, sys; print(json.load(sys.stdin)["meta"][sys.argv[1]])' "$2"
 }
 
-@test "area, kept and farthest are those of a program of its own" {
+@test "an independent program computes the same area, kept and farthest" {
 	mesh2rect -q -n 20x30 "$tmp/rod.off" -o "$tmp/rod"
 	/usr/bin/python3 - "$tmp/rod" "$tmp/rod.off" <<-'END'
 		import sys

@@ -1,9 +1,9 @@
-/* loss_cost - the cost of measuring the loss of a grid, relative to the cost of making the grid.
+/* loss_cost.c - the cost of measuring the loss of a grid, relative to the cost of making the grid.
  *
  * usage: loss_cost MESH
  * prints the processor seconds of reading, mapping and sampling MESH on 257 x 257 nodes, the
- * seconds of gridloss, and the second number in percent of the first.  Only for measurements: it
- * tests nothing. */
+ * processor seconds of gridloss, and the second number in percent of the first.  The program only
+ * measures; it tests nothing. */
 #include <time.h>
 
 #include "../lib/grid/gridloss.h"

@@ -1,5 +1,6 @@
-# Out of memory: one line, exit 1, nothing on stdout; a problem too large for the machine is
-# refused before the work begins.  With SOAK=1 every allocation fails in turn.
+# memory.bats - out of memory, a command exits with 1 and one line, and writes nothing to stdout; a
+# problem too large for the machine is refused before the work begins.  A sample of the allocations
+# fails, each in a run of its own; with SOAK=1 each of the first 2000 fails, and a sample of the rest.
 
 load helper
 
@@ -17,12 +18,13 @@ setup_file() {
 	export ASAN_OPTIONS=detect_leaks=0
 }
 
-# The counters of a coverage build allocate through the same functions.
+# In a coverage build the counters allocate through the same functions, so they too would be refused.
 setup() {
 	case $BUILD in *coverage) skip "coverage counters cannot be refused memory" ;; esac
 }
 
-# short_of SHARE COMMAND...: see tests/faults.c; 12 is ENOMEM.
+# short_of SHARE COMMAND...: refuses memory to COMMAND at one allocation after the other, as
+# tests/faults.c describes; 12 is ENOMEM.
 short_of() {
 	timeout 600 "$BUILD/tests/faults" refused memory 12 "$1" "$BUILD/faulty/$2" "${@:3}" </dev/null
 }

@@ -1,4 +1,4 @@
-# Real meshes: refused with the reason, repaired, or accepted.
+# meshes.bats - real meshes are refused with the reason, repaired with a note, or accepted.
 
 load helper
 
@@ -39,7 +39,7 @@ setup() {
 	mesh2rect -v -n 8 "$f" 2>"$tmp/err" | grep -a '^meta overlaid' | cut -d' ' -f3 >"$tmp/n"
 	[ "$(cat "$tmp/n")" -gt 0 ]
 	grep -q ": $(cat "$tmp/n") of 52 triangles .* near them the facets are sampled" "$tmp/err"
-	# With --surface=facets nothing else is sampled.
+	# With --surface=facets only facets are sampled anyway, so this is not noted.
 	mesh2rect -v -n 8 --surface=facets "$f" 2>&1 >/dev/null | run ! grep 'are sampled'
 }
 

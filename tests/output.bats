@@ -1,4 +1,4 @@
-# Outputs: complete or absent, full disks, closed pipes, signals.
+# output.bats - output is complete or absent, also with full disks, closed pipes and signals.
 
 load helper
 
@@ -181,7 +181,8 @@ setup_file() {
 	done
 }
 
-# faults CALL..: the arguments of a command linked with tests/fault.c, see tests/faults.c.
+# faults VERDICT CALL ERROR COMMAND...: lets CALL fail in COMMAND, once at a time, as tests/faults.c
+# describes; VERDICT is refused or ignored.
 faults() {
 	local verdict=$1 call=$2 error=$3 command=$4
 	shift 4
@@ -241,7 +242,7 @@ faults() {
 			[ "$(cat "$tmp/i/x")" = old ]
 			[ "$(ls -A "$tmp/i")" = x ]
 		done
-		[ "$n" -gt 1 ]                  # the call was made, and the last run had no fault
+		[ "$n" -gt 1 ]                  # at least one run failed, and the last one succeeded
 		cmp "$tmp/i/x" "$tmp/lh"
 	done
 	code=0
@@ -269,7 +270,7 @@ faults() {
 		[ $code = $((128 + $(kill -l $sig))) ] || { echo "exit $code after $sig"; false; }
 		[ -z "$(ls -A "$tmp/h")" ]
 	done
-	# the pipe of stderr is closed
+	# the reader of stderr closes the pipe
 	run bash -c "lh2grid -v $tmp/1000 -o $tmp/h/x 2>&1 | head -1 >/dev/null; echo \${PIPESTATUS[0]}"
 	[ "$output" = 141 ]
 	[ -z "$(ls -A "$tmp/h")" ]

@@ -1,4 +1,5 @@
-# scripts/paper on mkmesh's surfaces and small grids: the report is complete or absent.
+# paper.bats - the report of scripts/paper is complete or absent.  To be fast, the surfaces are those of
+# mkmesh and the grids small.
 
 load helper
 
@@ -12,8 +13,8 @@ load helper
 	done
 	[ "$(grep -c ^figure "$tmp/pictures")" -ge 13 ]
 	[ "$(ls "$tmp/paper" | grep -vFf "$tmp/pictures" | tr '\n' ' ')" = "report.md times.md work " ]
-	# Four tables with six numbers a row, each of a heading and six surfaces; and the promises
-	# that hold on these surfaces and small grids too.
+	# Four tables have six numbers in each row, and seven such rows: the scales K and six surfaces.
+	# Ten promises are listed; those tested below hold also on these surfaces and small grids.
 	[ "$(grep -cE '^\| [A-Za-z ()0-9]*( \| [0-9.e+-]+){6} \|$' "$tmp/paper/report.md")" = 28 ]
 	[ "$(grep -cE '^- (holds|\*\*VIOLATED\*\*): ' "$tmp/paper/report.md")" = 10 ]
 	[ "$(grep -c '^- holds: .*: t = 0 and t = 1 give the ends back' "$tmp/paper/report.md")" = 3 ]

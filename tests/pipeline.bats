@@ -1,4 +1,5 @@
-# Properties of the pipeline: surfaces given back, ends of morphs, invariances.
+# pipeline.bats - the pipeline gives surfaces back, morphs reach their ends, filters do what lhfft
+# --help says, and a change of the unit of length changes only the unit.
 
 load helper
 
@@ -39,7 +40,7 @@ setup_file() {
 
 @test "the map finds the modulus of surfaces whose modulus is known" {
 	local T
-	# side ratio of mkmesh rectangle a=1 b=0.7; the others are formulas in mkmesh --help
+	# the modulus of the rectangle is b/a; tests/test_rectmap.c checks the other surfaces
 	mkmesh -n 2000 rectangle a=1 b=0.7 | mesh2rect -n 8 -c 0,1,2,3 -o "$tmp/r"
 	T=$(sed -n 's/^height //p;/^end/q' "$tmp/r")
 	below "$(awk -v t="$T" 'BEGIN { d = t - 0.7; print d < 0 ? -d : d }')" 1e-9
@@ -76,7 +77,8 @@ setup_file() {
 	done
 }
 
-# same A B [CHANNEL..]: the last grids of A and B have equal channels (lambda H), to the last bit.
+# same A B [CHANNEL..]: succeeds if the channels [lambda H] of the last grids of A and B are equal to
+# the last bit.
 same() {
 	/usr/bin/python3 - "$@" <<-'END'
 		import sys
@@ -93,7 +95,8 @@ same() {
 		lhfft -K 0 $o "$tmp/torus.lh" -o "$tmp/k"
 		same "$tmp/k" "$tmp/torus.lh"
 	done
-	# coefficients that are 0 are dropped and change nothing, to the last bit: 3*0.1/3 is not 0.1
+	# If all dropped coefficients are 0, no bit changes, although lhfft filters lambda H and divides
+	# by lambda: in floating point (3*0.1)/3 is not 0.1.
 	/usr/bin/python3 -c 'import sys; sys.path.insert(0, "scripts"); import lhg, numpy as np
 g = lhg.Grid(9, 7, 1.0)
 for c, x in ("lambda", 3.0), ("H", 0.1): g.channels[c] = lhg.Channel(np.full((7, 9), x))
@@ -166,7 +169,7 @@ lhg.write(sys.argv[1], [g])' "$tmp/even"
 		H='lambda H'
 		[ $o != --no-bending ] || H=H
 		head -n 1 "$tmp/table" | grep -q "	$H\$"
-		for line in 4 5; do             # the rows above 1 percent are the coefficients kept
+		for line in 4 5; do             # of lambda, and of H or lambda H, in percent
 			set -- "$([ $line = 4 ] && echo lambda || echo "$H")" $line
 			awk -F'\t' -v c=$2 -v dft=$([ $o = --basis=dft ] && echo 1) \
 				'NR > 1 && ($1 + $2 == 0 && $1 == 0 || $c > 1) { n += dft && $1 > 0 ? 2 : 1 } END { print n }' \
@@ -205,7 +208,7 @@ assert next(iter(lhg.read(sys.argv[1])))["lambda"].min() > 0' "$1"
 }
 
 @test "smoothing removes the noise and keeps the shape" {
-	# bending energy: the integral of H^2 over the area, on the grid
+	# energy FILE: prints the bending energy of a grid, the integral of H^2 over the area
 	energy() {
 		/usr/bin/python3 - "$1" <<-'END'
 			import sys

@@ -1,5 +1,5 @@
-# Pipelines: if a stage fails, is killed or is cut off anywhere, the last stage fails too, also
-# without pipefail, and no output looks complete.
+# pipes.bats - if a stage of a pipeline fails, is killed or is cut off anywhere, the last stage fails
+# too, even without pipefail, and no output looks complete.
 
 load helper
 
@@ -14,7 +14,7 @@ setup_file() {
 
 stages=('mesh2rect -n 8 cap.off' grid2lh 'lhfft -K 1' lh2grid grid2mesh)
 
-# broken WHAT: this pipeline exits with 1, says why and writes nothing.
+# broken PIPELINE: checks that PIPELINE exits with 1, writes a reason to stderr and nothing to stdout.
 broken() {
 	local code=0
 	(cd "$tmp" && sh -c "$1" >out 2>err) || code=$?
@@ -23,7 +23,7 @@ broken() {
 	[ -s "$tmp/err" ] || { echo "$1: no word"; return 1; }
 }
 
-# joined FROM TO: these stages joined by pipes.
+# joined FROM TO: prints the stages FROM to TO, joined by pipes.
 joined() {
 	local i text=
 	for i in $(seq "$1" "$2"); do
@@ -56,7 +56,7 @@ joined() {
 	done
 }
 
-# The file that stage I reads from stdin.
+# input I: prints the file that stage I reads.
 input() {
 	local of=(cap.off phi lh lh phi)
 	echo "${of[$1]}"
@@ -73,7 +73,7 @@ input() {
 			lhinfo "$tmp/out" >/dev/null 2>&1 && { echo "$c, $n: complete"; return 1; }
 		done
 	done
-	# with a file for each frame, the files that exist are complete
+	# where grid2mesh writes a file for each frame, the files that exist are complete
 	mkdir "$tmp/frames"
 	head -c $((size - 1)) "$tmp/two" | lh2grid 2>/dev/null | grid2mesh -o "$tmp/frames/%d.off" 2>/dev/null && return 1
 	[ "$(ls -A "$tmp/frames")" = 1.off ]

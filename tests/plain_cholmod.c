@@ -1,10 +1,10 @@
-/* plain_cholmod - the program that mesh2rect's speed is compared with: it solves the two
- * cotangent systems of a mesh file by CHOLMOD with its defaults (the AMD ordering, METIS if
- * AMD's ordering is bad, and the default number of BLAS threads).
+/* plain_cholmod.c - a program to compare the speed of mesh2rect with.  It solves the two cotangent
+ * systems of a mesh file by CHOLMOD with its defaults (the AMD ordering, METIS if AMD's ordering is
+ * bad, and the default number of BLAS threads).
  *
  * usage: plain_cholmod MESH
- * prints the number of vertices, the seconds of reading and those of the two solves with their
- * assembly, T, and the peak memory of the whole process.  Only for measurements: it tests
+ * prints the number of vertices, the seconds of reading, the seconds of the two solves with their
+ * assembly, T, and the peak memory of the whole process.  The program only measures; it tests
  * nothing. */
 #include <math.h>
 #include <stdio.h>

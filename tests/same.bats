@@ -1,5 +1,5 @@
-# Equal input gives equal bytes: of every command, run after run, for any number of
-# threads, in any folder and locale.  Ten runs of each with SOAK set.
+# same.bats - every command gives equal bytes for equal input: run after run, for any number of
+# threads, in any folder and locale.  A command is run 3 times, with SOAK set 16 times.
 
 load helper
 
@@ -7,14 +7,14 @@ setup_file() {
 	load helper
 	cd "$tmp"
 	mkmesh -n 3000 face -o face.off
-	mesh2rect -n 96 --uv=uv.ply face.off -o phi     # more nodes than a single thread handles
+	mesh2rect -n 96 --uv=uv.ply face.off -o phi     # so many nodes that sums use several threads
 	grid2lh --residual phi -o lh
 	mesh2rect -n 24 face.off | grid2lh -o small.lh
 	mkdir there
 	cp face.off uv.ply phi lh small.lh there
 }
 
-# same COMMAND...: the bytes of stdout and stderr do not depend on the environment.
+# same COMMAND...: checks that stdout and stderr of COMMAND do not depend on threads, folder or locale.
 same() {
 	local n
 	cd "$tmp"

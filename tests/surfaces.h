@@ -2,7 +2,8 @@
  *
  * Tests should use charts with nu != nv, h != k and T != 1: otherwise a test cannot notice that
  * u and v, or h and k, are exchanged.  stereo and enneper are shifted so that they are not
- * symmetric in u or v: where phi_u . phi_uu = 0, a first-order error at the border goes unnoticed.
+ * symmetric in u or v: on a symmetric surface <phi_u, phi_uu> may be 0 at the border, and then a
+ * first-order error there goes unnoticed.
  */
 #ifndef SURFACES_H
 #define SURFACES_H

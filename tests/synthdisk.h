@@ -1,12 +1,13 @@
-/* synthdisk.h - synthetic surfaces as disks, for tests. */
+/* synthdisk.h - makes disks of synthetic surfaces, for tests. */
 #ifndef SYNTHDISK_H
 #define SYNTHDISK_H
 
 #include "../lib/mesh/disk.h"
 #include "../lib/synth/synth.h"
 
-/* The disk of a kind with its default parameters and about n vertices; vertices 0 1 2 3 are its
- * corners.  *xy, if not NULL, gets the parameters of its vertices. */
+/* Makes a disk of this kind (synth.h) with its default parameters and about n vertices, of which 0 1 2
+ * 3 are the corners.  If xy is not NULL, *xy gets the parameters of the vertices, [nv][2], to be freed
+ * by the caller. */
 static inline void
 synth_disk(const char *kind, int n, Synth *s, SynthDomain *dom, Disk *d, double **xy)
 {

@@ -1,5 +1,5 @@
-/* test_matching.c - matching.h: two borders are matched by landmarks and arc length; borders
- * between them; Coons patches. */
+/* test_matching.c - matching.h: matching two borders by landmarks and arc length, and the borders
+ * between them; coons.h: Coons patches. */
 #include "cmock.h"
 
 #include <math.h>
@@ -63,7 +63,7 @@ order(void **state)
 	assert_int_equal(matching_order(3, again), 2);
 }
 
-/* The place on b at the fraction f of the arc length from q to q2, found by bisection. */
+/* The place on b at the fraction f of the arc length from place q to place q2, found by bisection. */
 static double
 by_share(const Border *b, double q, double q2, double f)
 {

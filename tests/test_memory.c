@@ -1,9 +1,9 @@
-/* test_memory.c - allocations of lib/ and format/ fail one after the other: each time an error must
- * be returned and all memory allocated before must be freed.
+/* test_memory.c - functions of lib/ and format/ are called again and again, each time with another
+ * allocation that fails: they must return an error and free all memory that they allocated.
  *
- * The program is linked with fault.c, where the allocations are listed that it cannot make fail.
- * After allocation N, number N + 1 + N/SHARE fails.  If SOAK is set, each of the first 3000 fails,
- * and SHARE is 100 for later ones.
+ * The program is linked with fault.c, which says what allocations it cannot make fail.  After the call
+ * in which allocation N fails comes one in which allocation N + 1 + N/SHARE fails.  If SOAK is set,
+ * each of the first 3000 allocations fails, and SHARE is 100 for later ones.
  */
 #include "cmock.h"
 
@@ -24,8 +24,8 @@
 
 enum { SHARE = 40 };
 
-/* Tells the leak detector to ignore what CGAL itself leaks if operator new throws while CGAL builds
- * a container. */
+/* Tells the leak detector to ignore memory that CGAL itself leaks if operator new throws while CGAL
+ * builds a container. */
 const char *__lsan_default_suppressions(void);
 const char *
 __lsan_default_suppressions(void)
@@ -131,7 +131,8 @@ sheet(double phi[3][NODES])
 		}
 }
 
-/* way 0: the surface method with a start; 1: the same without a start; 2: the frame method */
+/* Reconstructs the sheet.  way 0: by the surface method with a start; 1: without a start; 2: by the
+ * frame method. */
 static int
 solved(int way)
 {
@@ -224,7 +225,7 @@ passed_on(int frames)
 }
 
 
-/* Mesh files of every format are written and read. */
+/* Mesh files of every format are written and read while allocations fail. */
 static void
 files(void **state)
 {

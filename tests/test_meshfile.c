@@ -1,5 +1,5 @@
 /* test_meshfile.c - meshfile.h: the rules of every format; refusals and their messages; files
- * that are cut, changed or made to do harm; writing and reading back. */
+ * that are cut, changed or malicious; writing and reading back. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -282,9 +282,9 @@ other_kinds(void **state)
 	refuses("# c\nVertex 1 0 0 0\n", MESH_EFORMAT, "Hoppe");
 }
 
-/* Limits the memory, so that a reader that trusts a false count returns MESH_ENOMEM, which is the
- * wrong code.  Not with a sanitizer: it needs much address space itself, and reports large
- * allocations anyway. */
+/* Limits the memory.  A reader that trusts a false count then returns MESH_ENOMEM, which the test
+ * takes for an error.  A sanitizer needs much address space itself, and reports large allocations
+ * anyway, so there is no limit with one. */
 static void
 limit(const struct rlimit *old)
 {
@@ -332,7 +332,7 @@ hostile_counts(void **state)
 			e = parse(&s, file, strlen(file));
 			if (!e)
 				soup_free(&s);
-			if (e != MESH_EFORMAT && e != MESH_EINDEX && !(i == 4 && k == 1))       /* -1 is valid in OBJ */
+			if (e != MESH_EFORMAT && e != MESH_EINDEX && !(i == 4 && k == 1)) /* OBJ: -1 */
 				fail_msg("%s: code %d %s", file, e, e ? s.err : "");
 		}
 	setrlimit(RLIMIT_AS, &old);
@@ -372,8 +372,8 @@ same(const Soup *s, const Mesh *m)
 	    memcmp(s->idx, m->tri, (size_t)m->nf * 3 * sizeof(int)) == 0;
 }
 
-/* A mesh is read back from every format: bit for bit from formats with shared vertices, and with
- * corners rounded to float from STL. */
+/* A mesh that was written in any format is read back: bit for bit from formats with shared vertices;
+ * from STL with corners rounded to float. */
 static void
 round_trip(void **state)
 {
@@ -464,7 +464,8 @@ asfloat(int i)
 	return w;
 }
 
-/* Writes two faces of a tetrahedron to buf as binary OFF or PLY.  Returns the length. */
+/* Writes two faces of a tetrahedron to buf as binary OFF or PLY; `colours` (OFF only) adds colours to
+ * the faces.  Returns the length. */
 static size_t
 binaryfile(char *buf, int ply, int big, int colours)
 {
@@ -517,8 +518,8 @@ binary_files(void **state)
 			}
 }
 
-/* A file that is cut anywhere is refused, unless only blanks or, in text, digits of the last number
- * are missing. */
+/* A file that is cut anywhere is refused, except an OFF file that lacks only its line end or digits
+ * of its last number. */
 static void
 every_cut(void **state)
 {
@@ -637,11 +638,11 @@ first_bytes_tell_a_mesh(void **state)
 	}
 	n = deflated(good[0], strlen(good[0]), z, sizeof z);
 	assert_int_equal(meshfile_plausible(z, n - 8, MOST, err), 0);
-	memset(head, 0, sizeof head);
-	assert_int_equal(meshfile_plausible(head, sizeof head, MOST, err), MESH_EFORMAT);  /* no word ends */
-	head[0] = 'x', head[9] = ' ';
-	assert_int_equal(meshfile_plausible(head, sizeof head, MOST, err), MESH_EFORMAT);  /* no triangles */
-	head[81] = 1;                   /* STL: 256 triangles, 12884 bytes */
+	memset(head, 0, sizeof head);   /* one word, longer than any that begins a format */
+	assert_int_equal(meshfile_plausible(head, sizeof head, MOST, err), MESH_EFORMAT);
+	head[0] = 'x', head[9] = ' ';   /* like a binary STL, but of 0 triangles */
+	assert_int_equal(meshfile_plausible(head, sizeof head, MOST, err), MESH_EFORMAT);
+	head[81] = 1;                   /* now of 256 triangles: 12884 bytes */
 	assert_int_equal(meshfile_plausible(head, sizeof head, 12884, err), 0);
 	assert_int_equal(meshfile_plausible(head, sizeof head, 12883, err), MESH_EFORMAT);
 }
@@ -802,7 +803,7 @@ obj_uv(void **state)
 	readsuv("# lhgrid T 0.75\n" TRI VT "f 1/1 2/2 3/3\n", 0.75, 3, uv);
 	readsuv("# by hand\n#\n#lhgrid T 3\n# lhgrid 5\n" TRI "# lhgrid T 1e-3 # so\n" VT "f 1/1 2/2 3/3",
 		1e-3, 3, uv);
-	readsuv(TRI "v 1 1 0\n" VT "f 1/1/1 2/2/1 3/3/1 # lhgrid T 7\n", 0, 4, uv);   /* 3 has no face */
+	readsuv(TRI "v 1 1 0\n" VT "f 1/1/1 2/2/1 3/3/1 # lhgrid T 7\n", 0, 4, uv);  /* 3: no face */
 	readsuv("f 1/1/7 2/2/7 3/3/7\n" VT TRI, 0, 3, uv);
 	readsuv(TRI VT "f 1/-3 2/-2 3/-1\n", 0, 3, uv);
 	readsuv(TRI VT "f 2/1 3/2 1/3\n", 0, 3, turned);
@@ -846,7 +847,7 @@ ply_uv(void **state)
 	}
 	readsuv(PLYUV("",
 		"property float u\nproperty float q\nproperty float t\nproperty float s\nproperty float v\n")
-	    "0 0 0 9 9 .25 .5 9\n1 0 0 9 9 1 0 9\n0 1 0 9 9 -1 -1 9\n3 0 1 2\n", 0, 3, uv);      /* s, t before u, v */
+	    "0 0 0 9 9 .25 .5 9\n1 0 0 9 9 1 0 9\n0 1 0 9 9 -1 -1 9\n3 0 1 2\n", 0, 3, uv); /* s t first */
 	refusesuv(PLYUV("", "property float s\nproperty float v\n") "0 0 0 0 0\n", MESH_EFORMAT,
 		"vertices lack (u,v)");
 	refusesuv(PLYUV("", "") "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", MESH_EFORMAT, "vertices lack (u,v)");
@@ -930,8 +931,9 @@ polygons(int n)
 	return s;
 }
 
-/* Formats with shared vertices return soups bit for bit: polygons stay polygons, and (u,v) are kept
- * if they were written; OFF cannot hold them.  Writing what was read gives the same file. */
+/* Formats with shared vertices give soups back bit for bit.  Polygons stay polygons; (u,v) and offsets
+ * come back from OBJ and PLY, if they were written (OFF cannot store them).  Writing the soup that was
+ * read gives the same file. */
 static void
 soup_round_trip(void **state)
 {

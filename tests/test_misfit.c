@@ -75,8 +75,8 @@ energy_at(const Misfit *m, double t, const double *direction)
 	return misfit_energy(m, moved);
 }
 
-/* On the surface from which lambda and H were taken, the energy is 0 with residue channels; without
- * them its terms of conformality remain. */
+/* On the surface from which lambda and H were computed, the energy is 0 with residue channels.
+ * Without them the terms that measure how far the grid is from conformal remain. */
 static void
 energy_is_zero_at_the_surface(void **state)
 {
@@ -93,9 +93,9 @@ energy_is_zero_at_the_surface(void **state)
 	misfit_free(&m);
 }
 
-/* With residues the area element is known, each residual is a polynomial of degree 3 in phi, and E
- * one of degree 6, so its seventh differences are 0.  The differences also pass the multiple 0 of
- * phi, a surface without normals. */
+/* With residues the area element is known, so each residual is a polynomial of degree 3 in phi, and E
+ * is one of degree 6: its seventh differences are 0.  They are taken over multiples of phi, one of
+ * which is 0, a surface without normals. */
 static void
 energy_with_residues_is_a_polynomial(void **state)
 {
@@ -168,8 +168,8 @@ normal_matrix_is_that_of_the_gradient(void **state)
 	misfit_free(&m);
 }
 
-/* The gradient is also right on charts with joined sides, with residue channels.  Among these is
- * tau, which changes its sign across some joined sides. */
+/* The gradient is also the derivative of the energy on charts with joined sides.  The residue channel
+ * tau is included because it changes its sign across some joined sides. */
 static void
 gradient_beyond_joined_sides(void **state)
 {
@@ -244,8 +244,8 @@ free_normal_matrix_is_symmetric(void **state)
 	boundary_is_free = 0;
 }
 
-/* If the border is free, each border node has its own term in the energy, which is 0 if the metric
- * there is lambda^2. */
+/* If the border is free, each border node has a term of its own in the energy.  It is 0 if the metric
+ * at the node is lambda^2. */
 static void
 free_border_has_its_energy(void **state)
 {

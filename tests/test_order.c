@@ -1,5 +1,5 @@
-/* test_order.c - orders of elimination: they do not depend on the number of threads and cause
- * little fill. */
+/* test_order.c - elimination orders of sparse Cholesky factors: they cause little fill and do not
+ * depend on the number of threads. */
 #include "cmock.h"
 
 #include <math.h>
@@ -26,7 +26,7 @@ check_permutation(const Graph *g, const int *order)
 	free(seen);
 }
 
-/* The graph of n vertices whose edges are the pairs for which has() is true. */
+/* The graph of n vertices whose edges are the pairs i < j for which has(n, i, j) is true. */
 static Graph
 graph_of(int n, int (*has)(int n, int i, int j))
 {
@@ -145,8 +145,9 @@ mesh_graph(const char *kind, int n, Disk *d, Cotangent *C)
 	assert_int_equal(cotangent_init(C, d), 0);
 }
 
-/* On a path or a tree the least fill, reached if leaves are eliminated first, is two entries in
- * each column.  An order that begins with a separator in the middle may need three. */
+/* On a path or a tree the smallest factor has two entries in each column; it is reached if leaves are
+ * eliminated first.  Nested dissection, which eliminates a separator in the middle last, may give
+ * three. */
 static void
 little_fill_on_a_path(void **state)
 {
@@ -159,8 +160,8 @@ little_fill_on_a_path(void **state)
 	free(order), free(g.first), free(g.adj);
 }
 
-/* Nested dissection has less fill than minimum degree on large surfaces, also folded ones.  The
- * spiral, a long narrow strip, suits minimum degree best. */
+/* On large surfaces, also folded ones, nested dissection causes less fill than minimum degree.  The
+ * spiral, a long narrow strip, suits minimum degree best; 1.2 times its fill is allowed there. */
 static void
 less_fill_than_minimum_degree(void **state)
 {
@@ -212,7 +213,7 @@ disk_of_cells(int w, int h, int (*has)(int x, int y), Disk *d)
 	free(s.xyz), free(s.idx), free(s.first);
 }
 
-/* n triangles around a central vertex, which is at this height. */
+/* n triangles around a central vertex, which lies at this height above the others. */
 static void
 disk_of_fan(int n, double height, Disk *d)
 {
@@ -234,7 +235,7 @@ disk_of_fan(int n, double height, Disk *d)
 	free(s.xyz), free(s.idx), free(s.first);
 }
 
-enum { MAZE = 12, CELLS = 2*MAZE - 1 };         /* MAZE x MAZE rooms and walls */
+enum { MAZE = 12, CELLS = 2*MAZE - 1 };         /* MAZE x MAZE rooms, with walls between them */
 
 static unsigned char open_cell[CELLS][CELLS];
 
@@ -288,8 +289,8 @@ static int is_open(int x, int y) { return open_cell[y][x]; }
 static int strip(int x, int y) { (void)x, (void)y; return 1; }
 static int comb(int x, int y) { return y == 0 || x%2 == 0; }
 
-/* Splits triangles until there are about n vertices: all of them each time, or random ones and
- * those at vertices of many triangles. */
+/* Splits triangles repeatedly until there are about n vertices.  Each time it splits all triangles
+ * or, if not `everywhere`, a random quarter of them and those at vertices of more than 40. */
 static void
 split_to(int n, int everywhere, Subdivision *s)
 {
@@ -330,7 +331,7 @@ check_fill(const char *name, const Graph *g)
 	free(order);
 }
 
-/* Checks the fill on d split in both ways of split_to.  Frees d. */
+/* Splits d in both ways of split_to and checks the fill.  Frees d. */
 static void
 check_split(const char *name, Disk *d)
 {
@@ -407,10 +408,10 @@ same_order_for_any_threads(void **state)
 	disk_free(&d);
 }
 
-/* vertexcut must find a smallest separator between the left and the right third of a W x W grid.
- * In the first `gap` rows it may pass anywhere in the band between them and needs one vertex in
- * each row, by Menger's theorem; in the other rows it is fixed to one column.  So it has W
- * vertices. */
+/* vertexcut must find a smallest separator between the left and the right third of a W x W grid.  In
+ * the first `gap` rows the separator may lie anywhere in the middle third; by Menger's theorem it
+ * needs one vertex in each row.  In the other rows only one column is left to it.  So the smallest
+ * separator has W vertices. */
 static void
 cut_is_smallest(void **state)
 {
@@ -423,10 +424,10 @@ cut_is_smallest(void **state)
 	for (gap = 1; gap <= W; gap += 7) {
 		for (i = 0; i < N; i++)
 			side[i] = i%W < 10 ? CUT_LEFT : i%W >= 20 ? CUT_RIGHT : CUT_SEPARATOR;
-		for (i = 0; i < N; i++)         /* outside the passage the band belongs to both sides */
+		for (i = 0; i < N; i++)         /* in the other rows both sides reach further */
 			if (i/W >= gap && side[i] == CUT_SEPARATOR)
 				side[i] = i%W < 15 ? CUT_LEFT : CUT_RIGHT;
-		for (i = 0; i < N; i++)         /* except for one column that separates them */
+		for (i = 0; i < N; i++)         /* up to one column that separates them */
 			if (i/W >= gap && i%W == 15)
 				side[i] = CUT_SEPARATOR;
 		vertexcut(&g, side, work);

@@ -24,8 +24,8 @@ count_crossings(const Intrinsic *t)
 	return n;
 }
 
-/* Checks that every crossing is a vertex on the edge of the mesh that crosses there, between its
- * ends. */
+/* Checks that every crossing of an intrinsic edge with an edge of the mesh is a vertex of the
+ * subdivision, and that this vertex lies on the edge of the mesh, between its ends. */
 static void
 check_crossings(const Intrinsic *t, const Disk *mesh, const Subdivision *s)
 {
@@ -50,7 +50,8 @@ check_crossings(const Intrinsic *t, const Disk *mesh, const Subdivision *s)
 	assert_int_equal(v, s->d.m.nv);
 }
 
-/* Checks the area of m on the surface and in (u,v), and that no triangle is flipped in (u,v). */
+/* Checks that m has this area on the surface and area T in (u,v), and that no triangle is flipped in
+ * (u,v). */
 static void
 check_areas(double area, const Mesh *m, const double *u, const double *v, double T)
 {
@@ -68,8 +69,8 @@ check_areas(double area, const Mesh *m, const double *u, const double *v, double
 	assert_true(fabs(image/T - 1) < 1e-10);
 }
 
-/* Checks the overlay of the mesh and its intrinsic triangulation.  Returns the number of
- * crossings. */
+/* Maps d, overlays the mesh with its intrinsic triangulation and checks the overlay.  Returns the
+ * number of crossings. */
 static size_t
 check_overlay(const Disk *d)
 {

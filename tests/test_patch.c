@@ -1,5 +1,5 @@
-/* test_patch.c - the unresolved nodes: the matrix on them, and corrections that keep their
- * residual 0. */
+/* test_patch.c - patch.h: the equations of the unresolved nodes are solved, and corrected directions
+ * keep their residual 0. */
 #include "cmock.h"
 
 #include <omp.h>
@@ -41,7 +41,7 @@ misfit_with_peaks(const ChartKind *kind)
 	return m;
 }
 
-/* The largest |x| on the unresolved nodes S, or if not `inside` on the other nodes. */
+/* The largest |x| on the unresolved nodes S, or, if `inside` is 0, on the other nodes. */
 static double
 largest_on(const Patch *p, int inside, const double *x)
 {
@@ -64,7 +64,7 @@ random_inner(const Misfit *m, double *x)
 		x[k] = stencil_is_inner(m->g, k%N%NU, k%N/NU) ? noise(&seed) : 0;
 }
 
-/* After a correction (A z)_S = 0, and z is unchanged outside S, on every kind of chart. */
+/* On every kind of chart, after patch_correct (A z)_S is 0, and z has not changed outside S. */
 static void
 corrected_directions_leave_no_residual(void **state)
 {
@@ -93,7 +93,8 @@ corrected_directions_leave_no_residual(void **state)
 	}
 }
 
-/* patch_start solves the equations on S alone and predicts the decrease of E. */
+/* patch_start solves the equations on S alone and returns the decrease of E that d predicts;
+ * patch_clear sets a vector to 0 on S alone. */
 static void
 start_solves_the_patch(void **state)
 {

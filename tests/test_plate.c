@@ -1,5 +1,5 @@
-/* test_plate.c - transforms are compared with their defining sums, and plate_solve with the
- * operator that it inverts. */
+/* test_plate.c - transform.h: transforms equal their defining sums; plate.h: plate_solve inverts the
+ * operator P. */
 #include "cmock.h"
 
 #include <omp.h>

@@ -118,8 +118,8 @@ harmonic_functions_of_known_surfaces(void **state)
 	}
 }
 
-/* Points of a triangulated rectangle are located even if some triangles are flat or flipped, where
- * walking from triangle to triangle fails. */
+/* Points of a triangulated rectangle are located even near flat or flipped triangles, where a walk
+ * from triangle to triangle fails. */
 static void
 points_are_located(void **state)
 {

@@ -139,8 +139,8 @@ minimum(void **state)
 	}
 }
 
-/* For a mirror image procrustes still returns a rotation.  In space it does not fit exactly, in a
- * plane it does. */
+/* For a mirror image procrustes still returns a rotation.  It cannot fit points in space, but it fits
+ * points in a plane exactly. */
 static void
 no_reflection(void **state)
 {

@@ -81,8 +81,8 @@ modulus_error(const char *kind, int n)
 	return e;
 }
 
-/* The modulus T converges: with 16 times as many vertices the bound on its error is 13 times
- * smaller, close to second order in the mesh size. */
+/* The modulus T converges: with 16 times as many vertices, the bound on its error is 13 times
+ * smaller, which is close to second order in the edge length. */
 static void
 modulus_of_sector_and_surfaces(void **state)
 {
@@ -193,8 +193,8 @@ sampling_is_exact_on_the_plane(void **state)
 	unmap(&m);
 }
 
-/* The largest distance between the grid of a surface with conformal parameters and phi at the same
- * points of its domain. */
+/* The largest difference of a coordinate between the grid of a surface with conformal parameters and
+ * phi at the corresponding points of its domain. */
 static double
 sampling_error(const char *kind, int n)
 {
@@ -232,8 +232,8 @@ sampling_converges(void **state)
 	}
 }
 
-/* Checks the mean errors of lambda and H of the grid after mapping and sampling.  lambda on the
- * chart is the lambda of phi times the width of its domain. */
+/* Checks the mean errors of lambda and H of the grid after mapping and sampling.  The rectangle has
+ * width 1, so lambda of the grid is lambda of phi times the width of the domain of phi. */
 static void
 check_chain(int surface, double lambda_bound, double H_bound)
 {
@@ -260,8 +260,8 @@ check_chain(int surface, double lambda_bound, double H_bound)
 	unmap(&m);
 }
 
-/* lambda and H of a mapped and sampled surface.  H of the smooth surface is more accurate, since
- * facets have all their curvature on the edges. */
+/* lambda and H after mapping and sampling.  With SAMPLER_SMOOTH H is more accurate, since facets have
+ * all their curvature on the edges. */
 static void
 lambda_and_H_of_the_chain(void **state)
 {
@@ -312,7 +312,8 @@ corners_by_number(void **state)
 	disk_free(&d);
 }
 
-/* A rectangle of two triangles is mapped: every vertex is a corner, so the systems are empty. */
+/* A rectangle of two triangles is mapped: every vertex is a corner, so there is no equation to
+ * solve. */
 static void
 no_free_vertices(void **state)
 {
@@ -335,7 +336,7 @@ no_free_vertices(void **state)
 	disk_free(&d);
 }
 
-/* C x from the rows of the cotangent matrix equals C x summed triangle by triangle. */
+/* C x, computed from the rows of the cotangent matrix C, equals C x summed triangle by triangle. */
 static void
 rows_are_the_triangles(void **state)
 {
@@ -402,8 +403,8 @@ upright(const Mesh *m)
 	return 1;
 }
 
-/* Slivers are mapped: vertices are moved almost onto a neighbour, so that cotangents reach 1e6, and
- * the map of the rectangle is still linear up to the rounding errors of such entries. */
+/* Slivers are mapped: vertices are moved almost onto a neighbour, so that cotangents reach 1e6.  The
+ * map of the rectangle is still linear, up to the rounding errors of such large entries. */
 static void
 slivers_are_mapped(void **state)
 {
@@ -465,8 +466,8 @@ same_bits_for_any_threads(void **state)
 	unmap(&m);
 }
 
-/* Quadratic elements give the exact energy of quadratic functions, and C x is 0 at inner vertices
- * for harmonic ones. */
+/* Quadratic elements give the exact energy of a quadratic function, and C x is 0 at inner vertices
+ * if the function is harmonic. */
 static void
 quadratics_are_exact(void **state)
 {

@@ -1,4 +1,4 @@
-/* test_resample.c - resample.h: interpolation is exact on cubics, averaging on linear functions. */
+/* test_resample.c - resample.h: interpolation is exact for cubics, averaging for linear functions. */
 #include "cmock.h"
 
 #include "../lib/grid/resample.h"
@@ -28,8 +28,8 @@ fill(Chart g, const double end[2], double (*f)(double, double), double *x)
 			x[j*g.nu+i] = f(i*end[0]/(g.nu - 1), j*end[1]*g.T/(g.nv - 1));
 }
 
-/* Interpolation is exact on cubics, to finer and coarser grids, and from a lattice that ends before
- * the border. */
+/* Interpolation is exact for cubics, both to finer and to coarser grids, also from a lattice that ends
+ * before the border. */
 static void
 cubics_are_exact(void **state)
 {

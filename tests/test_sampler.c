@@ -1,5 +1,5 @@
-/* test_sampler.c - the smooth surface is replaced by facets near flipped triangles; the corners
- * of the chart are vertices. */
+/* test_sampler.c - sampler.h: facets replace the smooth surface near flipped triangles; locate.h:
+ * the corners of the chart are vertices. */
 #include "cmock.h"
 
 #include <math.h>
@@ -24,9 +24,9 @@ warp(double x, double y, double *u, double *v)
 	*v = y - .04*exp(-r2)*16*x*(1 - x)*y*(1 - y);
 }
 
-/* A disk on the graph of a smooth function over the unit square.  Its vertices are random points,
- * of which only A, B, and C just above the middle of A B, are near the dent.  *u, *v get the
- * map. */
+/* A disk on the graph of a smooth function over the unit square.  The only vertices near the dent are
+ * A, B, and C, which lies just above the middle of A B; the others are corners, random points on the
+ * sides and random points inside.  *u, *v get the map. */
 static void
 make_dented(Disk *d, double **u, double **v)
 {
@@ -93,8 +93,8 @@ typedef struct Sampled {
 	double x[NODES], y[NODES], phi[3][NODES], channel[NODES];
 } Sampled;
 
-/* Samples the smooth surface and a channel at the nodes x, y of s.  If fine is not NULL, there are
- * facets near flipped triangles. */
+/* Samples the smooth surface and a channel at the nodes x, y of s.  If fine is not NULL, facets
+ * replace the smooth surface near flipped triangles. */
 static void
 sample(const Disk *d, const double *u, const double *v, const Fine *fine, Sampled *s)
 {
@@ -114,7 +114,7 @@ sample(const Disk *d, const double *u, const double *v, const Fine *fine, Sample
 	sampler_free(&sampler);
 }
 
-/* Whether (x,y) is farther from the dent than all triangles at A, B and C. */
+/* Whether (x,y) is farther from the middle of the dent than every triangle at A, B or C. */
 static int
 is_far(const Disk *d, double x, double y)
 {
@@ -212,9 +212,9 @@ facets_at_a_turned_triangle(void **state)
 	disk_free(&d);
 }
 
-/* A node at a corner of the chart gets exactly the vertex there, even if an edge passes the corner
- * at a distance of 1e-12.  Then the corner is, within the tolerance of the search, also in the
- * triangle beyond that edge. */
+/* A node at a corner of the chart gets exactly the vertex there, even if an edge passes the corner at
+ * a distance of 1e-12.  Within the tolerance of the search the corner is then also in the triangle
+ * beyond that edge. */
 static void
 corners_are_vertices(void **state)
 {
@@ -228,7 +228,7 @@ corners_are_vertices(void **state)
 	for (k = 0; k < 4; k++) {
 		const double *x = at[k], *y = at[(k+1)%4], *z = at[(k+3)%4];
 		double a[4][2];
-		int n[4] = { k, 4 + 3*k, 5 + 3*k, 6 + 3*k };    /* corner, two on sides, inside */
+		int n[4] = { k, 4 + 3*k, 5 + 3*k, 6 + 3*k };    /* corner, two on the sides, inside */
 
 		for (i = 0; i < 2; i++) {
 			a[0][i] = 0;

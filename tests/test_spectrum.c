@@ -1,4 +1,4 @@
-/* test_spectrum.c - spectrum.h: Fourier coefficients, and filters that drop some of them. */
+/* test_spectrum.c - spectrum.h: Fourier coefficients; filter.h: filters that drop some of them. */
 #include "cmock.h"
 
 #include "../lib/morph/blend.h"
@@ -41,9 +41,9 @@ inverse_undoes_forward(void **state)
 	}
 }
 
-/* Parseval: <F f, F h> = N <f, h>, where a coefficient that stands for a conjugate pair counts
- * twice; and C_00 is the sum of f.  The last column of the dft counts once if nu is even and twice
- * if it is odd. */
+/* Parseval: <F f, F h> = N <f, h>, where a coefficient that stands for a conjugate pair counts twice.
+ * In the last column of the dft each coefficient counts once if nu is even, twice if nu is odd.  C_00
+ * is the sum of f. */
 static void
 parseval(void **state)
 {
@@ -72,8 +72,9 @@ parseval(void **state)
 	}
 }
 
-/* A constant plus a wave of the basis with frequency 3 in i and 2 in j.  Its dft has the
- * coefficients nu nv amplitude/2 at (3,2) and (-3,-2), its dct has nu nv amplitude/2 at (3,2). */
+/* A constant plus a wave of the basis of s, with frequency 3 in i and 2 in j.  The wave has the dft
+ * coefficients nu nv amplitude/2 at (3,2) and (-3,-2), or the dct coefficient nu nv amplitude/2 at
+ * (3,2). */
 static void
 wave(Spectrum s, double mean, double amplitude, double *f)
 {
@@ -129,9 +130,9 @@ straddle(Spectrum s, FilterRule rule, double at, int log, double mean, double am
 	assert_true(largest(N, f, flat) < 1e-12*flat[0]);
 }
 
-/* FILTER_PERCENT compares |C|/(n rms) with the bound.  For 5 + 2 wave this is 1/sqrt(27) in the dft
- * and 1/sqrt(26) in the dct, whose wave has mean square 1/4.  With logarithms the mean is left out:
- * then it is 1/sqrt(2) and 1. */
+/* FILTER_PERCENT compares 100 |C|/(n rms) with the bound.  For 5 + 2 wave, |C|/(n rms) is 1/sqrt(27)
+ * in the dft, whose wave has mean square 1/2, and 1/sqrt(26) in the dct, whose wave has mean square
+ * 1/4.  With logarithms rms is taken without the mean: then the ratios are 1/sqrt(2) and 1. */
 static void
 percent_of_the_root_mean_square(void **state)
 {
@@ -185,8 +186,8 @@ variance(const double *f, const double *from)
 	return sum;
 }
 
-/* FILTER_ENERGY keeps just as many coefficients as hold the given share of the energy: with one
- * fewer, or one conjugate pair, they do not. */
+/* FILTER_ENERGY keeps the fewest coefficients that hold the given share of the energy: with one fewer
+ * (in the dft, one conjugate pair fewer) they do not hold it. */
 static void
 energy_holds_the_share(void **state)
 {
@@ -209,7 +210,7 @@ energy_holds_the_share(void **state)
 		assert_true(variance(f, g) <= 0.4*variance(f, NULL));
 		filter(s, FILTER_KEEP, kept - (b ? 2 : 1), 0, h, &fewer);
 		assert_true(variance(h, NULL) < 0.6*variance(f, NULL));
-		for (p = 0; p < N; p++)         /* most coefficients are now below rounding */
+		for (p = 0; p < N; p++)         /* now most coefficients are below rounding */
 			f[p] += 1e10*cos(2*M_PI*(p%NU + 0.5)/NU);
 		filter(s, FILTER_ENERGY, 1, 0, f, &kept);
 		assert_int_equal(kept, N);
@@ -219,8 +220,8 @@ energy_holds_the_share(void **state)
 }
 
 /* The low pass separates two cosines if its bound R is between their wave numbers in (u,v).  The
- * transform has the periods nu h and nv k, one cell more than the chart; the cosines are whole
- * waves on them. */
+ * cosines fit the periods of the transform, nu h and nv k, which are one cell longer than the
+ * sides of the chart. */
 static void
 low_pass_separates_waves(void **state)
 {
@@ -232,7 +233,7 @@ low_pass_separates_waves(void **state)
 	(void)state;
 	for (i = 0; i < 4; i++) {
 		dft = i%2;
-		for (p = 0; p < N; p++) {       /* wave numbers a and |(a,b)|, in the dct half of them */
+		for (p = 0; p < N; p++) {       /* wave numbers: slow and fast, see below */
 			double u = (p%NU + 0.5)*h, v = (p/NU + 0.5)*k, w = dft ? 2*M_PI : M_PI;
 
 			low[p] = 4 + cos(w*a*u);
@@ -304,8 +305,8 @@ filter_projects(void **state)
 	}
 }
 
-/* A bound of 0 changes no bit of the field, with or without logarithms; also if some coefficients
- * are exactly 0 and are not kept. */
+/* A bound of 0 changes no bit of the field, with or without logarithms, even if some coefficients
+ * are exactly 0 and so are not kept. */
 static void
 bound_zero_keeps_every_bit(void **state)
 {

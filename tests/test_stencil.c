@@ -17,8 +17,8 @@ chart(const ChartKind *kind)
 	return (Chart){ NU, NV, 0.7, kind };
 }
 
-/* The coordinate of node i along an axis, also beyond the chart.  Next to a joined side, nodes are
- * half a step away from it. */
+/* The coordinate of node i along an axis; i may lie beyond the chart.  The first node is half a step
+ * away from a joined side. */
 static double
 place(Chart g, int axis, int i)
 {
@@ -159,8 +159,8 @@ four_at_a_time_are_as_one(void **state)
 	}
 }
 
-/* Row j of y, continued across joined sides, with 0 at nodes that have no complete stencil.  An odd
- * field changes its sign where the chart says so. */
+/* Row j of y, continued across joined sides, with 0 at nodes that have no complete stencil.  If y is
+ * odd, it changes its sign where the chart says so (chart.h). */
 static void
 row_of(Chart g, const double *y, int odd, int j, double row[NU + 2])
 {
@@ -179,7 +179,7 @@ row_of(Chart g, const double *y, int odd, int j, double row[NU + 2])
 	}
 }
 
-/* The transposed stencils are the adjoint of the stencils: <D x, y> = <x, D' y> for random x on all
+/* The transposed stencils are the adjoints of the stencils: <D x, y> = <x, D' y> for random x on all
  * nodes and random y on the inner nodes. */
 static void
 transpose_is_the_adjoint(void **state)

@@ -1,5 +1,5 @@
-/* test_subdivision.c - subdivision.h: a disk to which points are added is still a disk with the
- * same surface, and linear functions are extended to the new vertices. */
+/* test_subdivision.c - subdivision.h: after points are added, a disk is still a disk with the same
+ * surface, and linear functions are extended exactly to the new vertices. */
 #include "cmock.h"
 
 #include <math.h>
@@ -11,7 +11,8 @@
 #include "disks.h"
 #include "synthdisk.h"
 
-/* n points to add; `apart` of them give new vertices, `boundary` of these on the boundary. */
+/* n points to add.  They give `apart` new vertices, `boundary` of which lie on the boundary; other
+ * points equal another point or an old vertex. */
 typedef struct Chosen {
 	SurfacePoint *point;
 	int           n, apart, boundary;
@@ -23,8 +24,9 @@ choose(Chosen *c, SurfacePoint p)
 	c->point[c->n++] = p;
 }
 
-/* Chooses up to four points, one in each quarter, on about every third edge, given in either of the
- * two triangles; some points twice, some at the ends of the edge. */
+/* On about every third edge, chooses up to four points, at most one in each quarter, and one end of
+ * the edge.  Some points are chosen twice.  A point is given on the side of either triangle at the
+ * edge. */
 static void
 choose_on_sides(const Disk *d, uint64_t *rng, Chosen *c)
 {
@@ -149,8 +151,8 @@ check_linear(const Subdivision *s)
 	free(f);
 }
 
-/* Checks that `inner` is equal on both sides of an edge, and that it is 0 on as many edges as there
- * are pieces of given edges. */
+/* Checks that `inner` has the same value on both sides of an edge, and that it is 0 on `given` edges:
+ * the pieces of the edges of the given disk. */
 static void
 check_inner(const Subdivision *s, int given)
 {

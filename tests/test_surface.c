@@ -73,7 +73,7 @@ surfaces_come_back(void **state)
 	}
 }
 
-/* The error is of second order: it comes only from replacing derivatives by differences. */
+/* The error is of second order, since it comes only from replacing derivatives by differences. */
 static void
 error_is_of_second_order(void **state)
 {
@@ -102,8 +102,8 @@ residue_gives_the_surface_itself(void **state)
 	assert_true(reconstruct(&s, 1, &EXACT) < 1e-9);
 }
 
-/* The start only selects one of several solutions.  The result is the same with a disturbed start,
- * with a start on the full grid, and with three rings of nodes and no start. */
+/* The start only selects one of several solutions.  The result is the same if the start is disturbed,
+ * if it is given on the full grid, and if there is none but a band of three rings of nodes. */
 static void
 start_does_not_change_the_result(void **state)
 {
@@ -129,8 +129,8 @@ start_does_not_change_the_result(void **state)
 	assert_true(largest(n, kept, found) < 1e-7);
 }
 
-/* If all lengths are multiplied by a power of two, the result is multiplied too, without any change
- * of its other bits. */
+/* If all lengths are multiplied by a power of two, the result is multiplied by it exactly: its
+ * mantissas do not change. */
 static void
 unit_of_length_changes_nothing(void **state)
 {
@@ -179,10 +179,10 @@ threads_change_no_bit(void **state)
 
 static const FitOptions PATIENT = { .tolerance = 1e-8, .most = 200, .sharpen = 1 };
 
-/* Enneper's surface, inverted in a sphere.  It has a conformal map too, and H varies on it.
- * Enneper's surface itself does not suit a test with a free boundary, because its associate
- * surfaces have the same lambda and H; nor does a sphere, which can be bent to first order without
- * changing them. */
+/* Inversion in a sphere.  It maps Enneper's surface to a surface whose coordinates are conformal too
+ * and whose H varies.  Enneper's surface itself does not suit a test with a free boundary, because its
+ * associate surfaces have the same lambda and H.  Nor does a sphere suit it: it can be bent to first
+ * order without a change of lambda and H. */
 static Node
 inverted(Node a)
 {
@@ -197,9 +197,9 @@ inverted_enneper(double u, double v)
 	return inverted(enneper(u, v));
 }
 
-/* Reconstructs with a free boundary.  The given rings or, for 0 rings, the start determine where
- * the surface lies.  Returns the largest difference from the exact surface after the best rigid
- * motion. */
+/* Reconstructs with a free boundary.  The outermost `rings` rings of nodes or, if rings is 0, the
+ * start determine where the surface lies.  Returns the largest difference from the exact surface
+ * after the best rigid motion. */
 static double
 reconstruct_free(Surface *s, int rings)
 {
@@ -258,8 +258,9 @@ turn(size_t n, double *x)
 	}
 }
 
-/* A surface with a free boundary moves rigidly with its band or, if it has no band, with its start.
- * If it has a band, moving the start changes nothing. */
+/* A surface with a free boundary lies where its band lies or, without a band, where its start lies.  A
+ * rigid motion of these moves the surface alike.  With a band, a motion of the start changes
+ * nothing. */
 static void
 free_surface_moves_with_its_band_or_start(void **state)
 {
@@ -268,8 +269,8 @@ free_surface_moves_with_its_band_or_start(void **state)
 	int k;
 
 	(void)state;
-	for (k = 0; k < 3; k++) {               /* what is moved: the start; the band; the
-	                                         * start, without a band */
+	for (k = 0; k < 3; k++) {               /* moved are: 0 the start; 1 the band; 2 the start, and
+	                                         * there is no band */
 		s = given(torus, ROUGH);
 		if (k != 1)
 			reconstruct_free(&s, k < 2);
@@ -361,8 +362,8 @@ misfit_of(const Surface *s)
 	return m;
 }
 
-/* After the first step the weights are sharp if the start has nearly the given metric, even if E
- * still decreases fast; they are not sharp if the start is far from this metric. */
+/* The weights of fit.h are sharp after the first step if the metric of the start is close to
+ * lambda^2, even if E still decreases fast.  They are not sharp if that metric is far off. */
 static void
 weights_are_sharp_once_the_metric_fits(void **state)
 {
@@ -473,7 +474,7 @@ too_few_steps_are_reported(void **state)
 	assert_int_equal(at.stopped, 0);
 }
 
-/* The fit of lambda and H of a torus, H with noise of the given size. */
+/* Fits a surface to lambda and H of a torus after noise of the given size was added to H. */
 static FitProgress
 fit_noisy(double size, double tolerance)
 {
@@ -493,8 +494,8 @@ fit_noisy(double size, double tolerance)
 	return at;
 }
 
-/* With little noise the fit converges; the misfit is that of the noise, whose square it is.  With much,
- * steps are cut again and again. */
+/* With little noise in H the fit converges, and its misfit is proportional to the square of the noise.
+ * With much noise the fit creeps: its steps are shortened again and again. */
 static void
 fit_says_how_it_ended(void **state)
 {
@@ -508,7 +509,7 @@ fit_says_how_it_ended(void **state)
 	assert_true(much.crept > 0);
 }
 
-/* If the energy overflows, this is reported; the result is not passed off as a solution. */
+/* If the energy overflows, surface() does not report convergence. */
 static void
 overflow_is_reported(void **state)
 {

@@ -1,5 +1,5 @@
-/* test_synth.c - synth.h: the formulas of the surfaces agree with differences of phi, and the
- * meshes are disks on the surfaces. */
+/* test_synth.c - synth.h: the formulas for lambda and H agree with finite differences of phi, and the
+ * meshes are disks whose vertices lie on the surfaces. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -115,7 +115,7 @@ formulas_hold_for_other_parameters(void **state)
 	}
 }
 
-/* On surfaces around the origin or an axis, the normal points outward. */
+/* On surfaces around the origin or around the z axis, the normal points outward. */
 static void
 normals_point_out(void **state)
 {
@@ -317,8 +317,8 @@ few_vertices(void **state)
 		}
 }
 
-/* Checks that vertices 0 1 2 3 are the corners stated in synth.h; at[][] are their positions in the
- * box of the domain, from 0 to 1. */
+/* Checks that vertices 0 1 2 3 are the corners that synth.h states.  at[shape] has their positions in
+ * the box of the domain, in units of its sides. */
 static void
 check_corners(const SynthDomain *d, const double *xy)
 {
@@ -336,8 +336,8 @@ check_corners(const SynthDomain *d, const double *xy)
 	}
 }
 
-/* Every vertex is phi of its parameters, the corners come first, and the normals of the faces point
- * along phi_x x phi_y. */
+/* Every vertex is phi of its parameters, the corners come first, and the normals of the triangles
+ * point to the side of phi_x x phi_y. */
 static void
 vertices_lie_on_the_surface(void **state)
 {
@@ -428,8 +428,8 @@ true_area(const Synth *s, const SynthDomain *d)
 	return sum;
 }
 
-/* The area of the mesh converges to that of the surface; its error decreases like the area of the
- * triangles, unless it is already small. */
+/* The area of the mesh converges to that of the surface.  The error decreases in proportion to the
+ * area of the triangles, unless it is already small. */
 static void
 area_converges(void **state)
 {
@@ -455,8 +455,8 @@ area_converges(void **state)
 	}
 }
 
-/* On surfaces with conformal parameters the triangles are of similar size, though lambda varies:
- * the longest edge is less than four times the shortest. */
+/* On surfaces with conformal parameters the triangles have similar sizes although lambda varies: the
+ * longest edge is less than four times as long as the shortest. */
 static void
 meshes_are_even(void **state)
 {

@@ -1,4 +1,4 @@
-# The commands of doc/tutorial.md run in order and give the results on the page.
+# tutorial.bats - the commands of doc/tutorial.md run in order and give the results on the page.
 
 load helper
 

@@ -1,4 +1,4 @@
-# (u,v) on the vertices of meshes: mesh2rect --uv, grid2mesh --on, --flip.
+# uv.bats - (u,v) on the vertices of meshes: mesh2rect --uv and --flip, grid2mesh --on and --detail.
 
 load helper
 
@@ -10,7 +10,7 @@ setup_file() {
 	mesh2rect -n 64 --uv="$tmp/uv.ply" "$tmp/torus.off" >/dev/null
 	grep -v '# lhgrid' "$tmp/uv.obj" >"$tmp/bare.obj"       # neither T nor offsets
 	grid2lh "$tmp/phi" -o "$tmp/phi.lh"
-	# quads, a pentagon and a vertex of no face, as a person would write them
+	# two quads, a triangle and a vertex of no face, in a file as a person would write it
 	cat >"$tmp/quads.obj" <<-EOF
 		v 9 9 9
 		v 0 0 0
@@ -26,12 +26,12 @@ setup_file() {
 	EOF
 }
 
-# numbers FILE WORD: the rest of the lines that begin with WORD.
+# numbers FILE WORD: prints the rest of each line that begins with WORD.
 numbers() {
 	sed -n "s/^$2 //p" "$1"
 }
 
-# apart A B: largest distance of corresponding vertices of two OBJ files.
+# apart A B: prints the largest distance between corresponding vertices of two OBJ files.
 apart() {
 	paste -d ' ' <(numbers "$1" v) <(numbers "$2" v) |
 		awk '{ d = sqrt(($1-$4)^2 + ($2-$5)^2 + ($3-$6)^2); if (d > m) m = d } END { print m + 0 }'
@@ -106,7 +106,7 @@ apart() {
 	! grep -q offset "$tmp/s-drop.obj"
 	below 0 "$(apart "$tmp/s-drop.obj" "$tmp/s-smooth.obj")"
 	below "$(apart "$tmp/s-drop.obj" "$tmp/s-smooth.obj")" "$(apart "$tmp/s-drop.obj" "$tmp/s-keep.obj")"
-	# of several scales each has its own number, of filters in a row the smaller one
+	# each of several scales has its own number of waves; after two filters the smaller number holds
 	lhfft --low-pass=6,2,6 "$tmp/s.lh" -o "$tmp/three"
 	lhinfo "$tmp/three" | awk '$1 == "meta" && $2 == "waves" { n[++k] = $3 } END { exit !(k == 3 && n[1] == n[3] && n[2] < n[1]) }'
 	[ "$(lhfft --low-pass=2 "$tmp/s.lh" | lhfft --low-pass=3 | lhinfo | grep waves)" = "$(lhfft --low-pass=2 "$tmp/s.lh" | lhinfo | grep waves)" ]

@@ -1,5 +1,5 @@
-/* fuzz.h - shared by the fuzz targets.  Each target is one file with the entry point of libFuzzer; the
- * same file, linked with replay.c, reads the kept inputs in make check. */
+/* fuzz.h - shared by the fuzz targets.  Each target is one file with the entry point of libFuzzer.
+ * For make check the same file is linked with replay.c, which runs it on the kept inputs. */
 #ifndef FUZZ_H
 #define FUZZ_H
 
@@ -11,19 +11,20 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 /* Aborts with the message `what` unless ok. */
 void fuzz_need(int ok, const char *what);
 
-/* Bytes that format/ and lib/ have allocated now, and their maximum since fuzz_mark.  The linker
- * redirects their malloc, calloc, realloc and free to memory.c; a growing realloc counts the old
- * and the new block together, as if it had to move. */
+/* The bytes that format/ and lib/ have allocated now, and their maximum since fuzz_mark.  The linker
+ * redirects malloc, calloc, realloc and free to memory.c.  While a realloc enlarges a block, the old
+ * and the new block count together, as if the block had to move. */
 size_t fuzz_live(void);
 size_t fuzz_peak(void);
 void   fuzz_mark(void);
 
-/* Read the bytes as a mesh, with and without (u,v).  An accepted mesh must be finite and in range, and
- * come back bit by bit from the format it is written in, which n chooses; a refusal must have one
- * line and nothing to free; most bounds the memory of reading. */
+/* Reads the bytes as a mesh, with and without (u,v), and aborts if a check fails.  An accepted mesh
+ * must be finite, its indices in range, and it must come back bit by bit after writing; n chooses the
+ * format.  A refused mesh must have a message of one line and nothing to free.  Reading must not use
+ * more than `most` bytes of memory. */
 void fuzz_mesh(const uint8_t *data, size_t n, size_t most);
 
-/* Bound of memory for n bytes: 16 each, and a constant (meshfile.h). */
+/* The memory that reading n bytes may use: 16 for each byte, and 1024 (meshfile.h). */
 size_t fuzz_meshbound(size_t n);
 
 #endif

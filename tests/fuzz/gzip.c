@@ -1,5 +1,5 @@
-/* gzip.c - fuzz target: gzipped meshes.  zlib links to this crc32, so damaged data reach the mesh
- * readers (kept inputs have 0 for the CRC). */
+/* gzip.c - fuzz target: gzipped meshes.  zlib calls the crc32 below, which is always 0, as is the CRC
+ * of the kept inputs.  So zlib does not refuse changed data, and they reach the mesh readers. */
 #include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
@@ -15,8 +15,9 @@ crc32(uLong crc, const Bytef *p, uInt n)
 	return 0;
 }
 
-/* 16 bytes for each unpacked byte, and the buffer for these, which grows by doubling from four
- * times the packed size. */
+/* The memory that reading n packed bytes may use.  The buffer of unpacked bytes begins at 4n + 4096
+ * and is doubled when it is full; then the old and the new one together have at most three times the
+ * bytes unpacked so far. */
 static size_t
 bound(size_t n, size_t unpacked)
 {
@@ -36,7 +37,7 @@ LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 	fuzz_mark();
 	if (gunzip((char *)p, n, (size_t)1 << 32, &out, &unpacked, err) == 0)
 		free(out);
-	else    /* the unpacked size before the damage is unknown: use the bound of the buffer */
+	else    /* how much was unpacked before the damage is unknown: take gunzip's limit */
 		unpacked = 1100*n + 4096;
 	fuzz_mesh(p, n, bound(n, unpacked));
 	free(p);

@@ -1,5 +1,5 @@
-/* lhg_nocrc.c - fuzz target: the .lhg reader without checksums: every CRC is 0, also in the inputs of
- * this target. */
+/* lhg_nocrc.c - fuzz target: the .lhg reader without checksums.  The crc32 below is always 0, as is
+ * every CRC in the kept inputs of this target. */
 #include <zlib.h>
 
 #include "lhg.c"

@@ -53,14 +53,16 @@ valid(const Soup *s)
 	fuzz_need(s->T >= 0 && isfinite(s->T), "T is neither 0 nor positive");
 }
 
-/* Equality of n doubles bit by bit, including -0; n may be 0. */
+/* Whether two arrays of so many bytes are equal bit by bit, so that -0 differs from 0.  They may be
+ * NULL if `bytes` is 0. */
 static int
 samebits(const void *a, const void *b, size_t bytes)
 {
 	return bytes == 0 || memcmp(a, b, bytes) == 0;
 }
 
-/* Some formats store no (u,v) for a vertex of no face. */
+/* Checks that b, read from what was written of a, is equal to a.  The (u,v) are compared at the
+ * corners of faces only, since OBJ stores none for a vertex that belongs to no face. */
 static void
 same(const Soup *a, const Soup *b)
 {
@@ -80,7 +82,7 @@ same(const Soup *a, const Soup *b)
 	fuzz_need(!o == !p && (!o || samebits(o, p, 4*nv*sizeof(double))), "offsets do not come back");
 }
 
-/* Writes the soup in that format and reads it again. */
+/* Checks that s is the same after it was written in this format and read again. */
 static void
 comesback(const Soup *s, const MeshFormat *format, Parse *parse)
 {
@@ -99,7 +101,8 @@ comesback(const Soup *s, const MeshFormat *format, Parse *parse)
 	soup_free(&again);
 }
 
-/* A format without shared vertices: triangles only, three own vertices each, rounded to float. */
+/* The same for a format without shared vertices (STL): each triangle then has three vertices of its
+ * own, rounded to float. */
 static void
 apart(const Soup *s, const MeshFormat *format)
 {
@@ -122,8 +125,8 @@ apart(const Soup *s, const MeshFormat *format)
 	soup_free(&again);
 }
 
-/* Writes in format i, or else in the next one that can be written and, if s has (u,v), holds
- * them. */
+/* Checks writing in format i (modulo their number), or in the next one that can be written and, if s
+ * has (u,v), stores them. */
 static void
 written(const Soup *s, size_t i, Parse *parse)
 {

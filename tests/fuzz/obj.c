@@ -1,5 +1,5 @@
-/* obj.c - fuzz target: OBJ, with (u,v) and without.  Input that begins as another format gets the
- * beginning of an OBJ. */
+/* obj.c - fuzz target: OBJ, with (u,v) and without.  If the first byte cannot begin an OBJ, the first
+ * two bytes are replaced by "v ". */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* off.c - fuzz target: OFF, ASCII and binary.  Input without the word OFF, or that would be read as
- * gzip, gets it. */
+/* off.c - fuzz target: OFF, ASCII and binary.  If the input does not have OFF near its beginning, or
+ * if it begins as gzip data, its first four bytes are replaced by "OFF\n". */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* replay.c - runs a fuzz target on the inputs named on the command line: files, or folders of files.
- * Prints their number; fails if the target aborts or takes a minute, or without inputs. */
+ * Prints their number.  Fails if the target aborts or takes a minute, or if there is no input. */
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +15,7 @@ file(const char *path, FILE *f)
 {
 	static uint8_t bytes[1 << 22];
 	size_t n = fread(bytes, 1, sizeof bytes, f);
-	uint8_t *exact = malloc(n + !n);        /* so that a sanitizer sees an access beyond the end */
+	uint8_t *exact = malloc(n + !n);        /* a copy: a sanitizer sees an access beyond its end */
 
 	fuzz_need(!ferror(f) && n < sizeof bytes && exact, path);
 	memcpy(exact, bytes, n);

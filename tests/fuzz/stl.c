@@ -1,6 +1,7 @@
-/* stl.c - fuzz target: STL.  Text is read as it is.  Other input is cut to an integral number of
- * triangles and gets their count, since otherwise it is no binary STL; gzip, which has its own
- * target, is left out. */
+/* stl.c - fuzz target: STL.  Input is read as it is, unless it begins as gzip data, which have their
+ * own target.  Input that does not begin as text is then made a binary STL and read once more: it is
+ * cut after a triangle, gets the right count, and its first byte is changed so that the data are not
+ * taken for another format. */
 #include <stdlib.h>
 #include <string.h>
 
