@@ -10,9 +10,9 @@
 #   make install PREFIX=/usr/local DESTDIR=
 #   make bench                measures the numbers that README.md promises (minutes)
 #   make compile_commands.json    for editors
-#   make check-untracked      fails if a test left a file, or a stray one is tracked
-#   make coverage             lines that the tests run, by file (minutes)
-#   make soak                 in full the tests that make check only samples (minutes)
+#   make check-untracked      fails if a test left a file, or if a stray file is tracked
+#   make coverage             measures the lines that the tests run, by file (minutes)
+#   make soak                 runs in full the tests that make check only samples (minutes)
 #   make fuzz FUZZ_SECONDS=60 runs each fuzz target for this long (clang)
 #   make paper                makes the paper's tables and figures, build/paper/report.md (minutes)
 
@@ -22,7 +22,7 @@ CMD = mesh2rect grid2lh lhfft lhinterp lh2grid grid2mesh lhinfo lhdiff mkmesh
 
 BUILD    := build$(if $(SANITIZE),/$(SANITIZE))
 export BUILD
-# Unit tests get the spin count of the commands, cmd/shared/threads.c.
+# Unit tests get the same spin count as the commands (cmd/shared/threads.c).
 export GOMP_SPINCOUNT := 3000
 
 ALL_CPPFLAGS := -D_XOPEN_SOURCE=700 -MMD -MP $(CPPFLAGS)
@@ -123,7 +123,7 @@ $(BUILD)/%.o: %.cc config.mk
 # A product and a sum become one instruction (fused multiply-add) if the processor has it.
 $(BUILD)/lib/sparse/product.o: ALL_CFLAGS += -ffp-contract=fast
 
-# -O3, whatever CFLAGS say: it vectorizes the inner loops of the surface method.
+# -O3, whatever CFLAGS say, because it vectorizes the inner loops of the surface method.
 $(addprefix $(BUILD)/lib/,surface/misfit.o surface/misfitapply.o poisson/transform.o): ALL_CFLAGS += -O3
 
 demo:

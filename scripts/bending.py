@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""bending.py LH.lhg - the bending energy, integral of H^2 over the area, of each grid of a
-stream of lambda and H, without the outermost ring; one number a line."""
+"""bending.py LH.lhg - prints the bending energy of each grid of a stream of lambda and H, one number
+a line: the integral of H^2 over the area, without the outermost ring of nodes."""
 import os
 import sys
 

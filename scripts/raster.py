@@ -46,7 +46,7 @@ class Raster:
         self.bary[pixel[keep]] = bary[keep]
 
     def mix(self, value):
-        """Interpolates values given at the vertices at the hit pixels, those with a triangle."""
+        """Values of the vertices, interpolated at each hit pixel, that is where there is a triangle."""
         corners = value[self.faces[self.tri[self.hit]]]
         weight = self.bary[self.hit]
         return np.einsum('pk,pk...->p...', weight, corners)
@@ -95,8 +95,8 @@ def palette(colours, n):
 
 
 def png(path, image, colours=0):
-    """Writes image, [h][w][3] in 0..1, to path.  colours is 0, or 2..256: the most colours of a
-    palette."""
+    """Writes image, [h][w][3] in 0..1, to path.  If colours, 0 or 2..256, is not 0, the file gets a
+    palette of at most so many colours."""
     pixels = np.round(255*np.clip(image, 0, 1)).astype(np.uint8)
     h, w = pixels.shape[:2]
     table = b''

@@ -140,8 +140,8 @@ keep_disk(Made *m)
 	return 0;
 }
 
-/* Triangulates the points as Delaunay's triangulation does when they are scaled by sx and sy.  If
- * n > 0, keeps only triangles whose centroid is inside the polygon poly of n corners. */
+/* Scales the points by sx and sy and makes their Delaunay triangulation; the points themselves do not
+ * change.  If n > 0, keeps only triangles whose centroid is inside the polygon poly of n corners. */
 static int
 triangulate(Made *m, double sx, double sy, int n, double poly[][2])
 {

@@ -10,7 +10,7 @@
 
 enum { DISKS_TAG = 64 };
 
-/* The kinds of random disks, by roughness. */
+/* How rough a random disk may be. */
 enum {
 	DISKS_ANY,      /* may have needles, be scaled by 1e-6 .. 1e6 and lie far from the origin */
 	DISKS_NICE,     /* no inserted needles, not scaled, near the origin; of size 1 .. 1000 */

@@ -23,7 +23,7 @@ crossing() {
 	[ "$(crossing "$tmp/held")" != "0 of 12" ]
 }
 
-@test "in a morph that stands still --follow changes nothing; without a start it has one after the first frame" {
+@test "--follow changes nothing in a morph that stands still; without starts, later frames get one" {
 	lhinterp -q -n 3 "$tmp/spiral" "$tmp/spiral" -o "$tmp/same"
 	lh2grid "$tmp/same" -o "$tmp/a"
 	lh2grid --follow "$tmp/same" -o "$tmp/b"

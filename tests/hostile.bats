@@ -210,7 +210,7 @@ endless() {
 }
 
 @test "nodes where phi_u is parallel to phi_v are noted, and H is 0 there" {
-	# columns 3 to 5 lie on a straight line, so phi_u and phi_v at inner nodes of column 4 do too
+	# columns 3 to 5 lie on a line; phi_u and phi_v are parallel to it at inner nodes of column 4
 	hostile "$tmp/phi" "$tmp/folded" 'g = size(9, 7)
 v, u = np.mgrid[:7, 3:6]
 for c, a in zip("xyz", (0.3, 0.7, -0.2)): g[c][:, 3:6] = a*(u/8 + 0.37*v/6)'

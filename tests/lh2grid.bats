@@ -45,7 +45,7 @@ meta() {
 	lhinfo "$1" | awk -v k="$2" '$0 ~ k { print $NF }'
 }
 
-@test "the fit says how good it is: misfit small for a surface, large after a filter; stopped" {
+@test "metadata say how good a fit is: misfit is small for a surface and large after a filter" {
 	lhfft -K 0 "$tmp/lh" | lh2grid -o "$tmp/same"
 	lhfft -K 2 "$tmp/lh" | lh2grid -o "$tmp/smooth"
 	[ "$(meta "$tmp/same" stopped)" = converged ]

@@ -101,7 +101,7 @@ column() {
 	try 1 'flat: grid 3: surface has no area'   /dev/null lhdiff "$tmp/cap" "$tmp/flat"
 }
 
-@test "what is no disk is named and compared: a face without area, a hole, three faces at an edge" {
+@test "a mesh that is no disk is noted and compared: no area, a hole, three faces at an edge" {
 	grid2mesh "$tmp/cap" -o "$tmp/cap.off"
 	awk 'NR == 2 { $2++ } { print } END { print "3 0 1 1" }' "$tmp/cap.off" >"$tmp/twice.off"
 	sed '3s/.*/0 0 0/; 4s/.*/0 0 0/' "$tmp/cap.off" >"$tmp/flat.off"

@@ -1,5 +1,5 @@
-# memory.bats - out of memory, a command exits with 1 and one line, and writes nothing to stdout; a
-# problem too large for the machine is refused before the work begins.  A sample of the allocations
+# memory.bats - a command that gets no memory exits with 1 and one line, and writes nothing to stdout.
+# A problem too large for the machine is refused before the work begins.  A sample of the allocations
 # fails, each in a run of its own; with SOAK=1 each of the first 2000 fails, and a sample of the rest.
 
 load helper

@@ -181,8 +181,8 @@ setup_file() {
 	done
 }
 
-# faults VERDICT CALL ERROR COMMAND...: lets CALL fail in COMMAND, once at a time, as tests/faults.c
-# describes; VERDICT is refused or ignored.
+# faults VERDICT CALL ERROR COMMAND...: runs COMMAND again and again, each time with another call of
+# CALL that fails, as tests/faults.c describes; VERDICT is refused or ignored.
 faults() {
 	local verdict=$1 call=$2 error=$3 command=$4
 	shift 4

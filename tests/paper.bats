@@ -1,5 +1,5 @@
-# paper.bats - the report of scripts/paper is complete or absent.  To be fast, the surfaces are those of
-# mkmesh and the grids small.
+# paper.bats - the report of scripts/paper is complete or absent.  For speed the tests use surfaces of
+# mkmesh and small grids.
 
 load helper
 

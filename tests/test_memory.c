@@ -1,9 +1,9 @@
 /* test_memory.c - functions of lib/ and format/ are called again and again, each time with another
  * allocation that fails: they must return an error and free all memory that they allocated.
  *
- * The program is linked with fault.c, which says what allocations it cannot make fail.  After the call
- * in which allocation N fails comes one in which allocation N + 1 + N/SHARE fails.  If SOAK is set,
- * each of the first 3000 allocations fails, and SHARE is 100 for later ones.
+ * The program is linked with fault.c, which says which allocations it does not let fail.  After the
+ * call in which allocation N fails comes one in which allocation N + 1 + N/SHARE fails.  If SOAK is
+ * set, each of the first 3000 allocations fails, and SHARE is 100 for later ones.
  */
 #include "cmock.h"
 

@@ -290,7 +290,7 @@ static int strip(int x, int y) { (void)x, (void)y; return 1; }
 static int comb(int x, int y) { return y == 0 || x%2 == 0; }
 
 /* Splits triangles repeatedly until there are about n vertices.  Each time it splits all triangles
- * or, if not `everywhere`, a random quarter of them and those at vertices of more than 40. */
+ * or, if not `everywhere`, a random quarter of them and all at vertices of more than 40 triangles. */
 static void
 split_to(int n, int everywhere, Subdivision *s)
 {
@@ -410,7 +410,7 @@ same_order_for_any_threads(void **state)
 
 /* vertexcut must find a smallest separator between the left and the right third of a W x W grid.  In
  * the first `gap` rows the separator may lie anywhere in the middle third; by Menger's theorem it
- * needs one vertex in each row.  In the other rows only one column is left to it.  So the smallest
+ * needs one vertex in each row.  In the other rows it is fixed to one column.  So the smallest
  * separator has W vertices. */
 static void
 cut_is_smallest(void **state)
@@ -424,10 +424,10 @@ cut_is_smallest(void **state)
 	for (gap = 1; gap <= W; gap += 7) {
 		for (i = 0; i < N; i++)
 			side[i] = i%W < 10 ? CUT_LEFT : i%W >= 20 ? CUT_RIGHT : CUT_SEPARATOR;
-		for (i = 0; i < N; i++)         /* in the other rows both sides reach further */
+		for (i = 0; i < N; i++)         /* in the other rows the two sides meet, */
 			if (i/W >= gap && side[i] == CUT_SEPARATOR)
 				side[i] = i%W < 15 ? CUT_LEFT : CUT_RIGHT;
-		for (i = 0; i < N; i++)         /* up to one column that separates them */
+		for (i = 0; i < N; i++)         /* with one column that separates them */
 			if (i/W >= gap && i%W == 15)
 				side[i] = CUT_SEPARATOR;
 		vertexcut(&g, side, work);

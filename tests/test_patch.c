@@ -1,5 +1,5 @@
-/* test_patch.c - patch.h: the equations of the unresolved nodes are solved, and corrected directions
- * keep their residual 0. */
+/* test_patch.c - patch.h: the equations of the unresolved nodes are solved, and directions are
+ * corrected so that the residual on these nodes stays 0. */
 #include "cmock.h"
 
 #include <omp.h>

@@ -46,8 +46,8 @@ unmap(Mapped *m)
 	free(m->v);
 }
 
-/* The map of a rectangle is exact: it is linear, and the cotangent matrix reproduces linear
- * functions. */
+/* The map of a rectangle is exact, because it is linear, and linear functions solve the equations of
+ * the cotangent matrix exactly. */
 static void
 rectangle_is_mapped_by_the_identity(void **state)
 {

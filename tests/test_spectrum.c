@@ -233,7 +233,7 @@ low_pass_separates_waves(void **state)
 	(void)state;
 	for (i = 0; i < 4; i++) {
 		dft = i%2;
-		for (p = 0; p < N; p++) {       /* wave numbers: slow and fast, see below */
+		for (p = 0; p < N; p++) {       /* low has the wave number slow; f also has fast */
 			double u = (p%NU + 0.5)*h, v = (p/NU + 0.5)*k, w = dft ? 2*M_PI : M_PI;
 
 			low[p] = 4 + cos(w*a*u);

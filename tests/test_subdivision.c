@@ -25,8 +25,8 @@ choose(Chosen *c, SurfacePoint p)
 }
 
 /* On about every third edge, chooses up to four points, at most one in each quarter, and one end of
- * the edge.  Some points are chosen twice.  A point is given on the side of either triangle at the
- * edge. */
+ * the edge.  Some points are chosen twice.  Each is given as a place on a side of one or the other
+ * triangle at the edge. */
 static void
 choose_on_sides(const Disk *d, uint64_t *rng, Chosen *c)
 {

@@ -103,7 +103,7 @@ residue_gives_the_surface_itself(void **state)
 }
 
 /* The start only selects one of several solutions.  The result is the same if the start is disturbed,
- * if it is given on the full grid, and if there is none but a band of three rings of nodes. */
+ * if it is given on the full grid, and if a band of three rings of nodes is given and no start. */
 static void
 start_does_not_change_the_result(void **state)
 {
@@ -258,9 +258,9 @@ turn(size_t n, double *x)
 	}
 }
 
-/* A surface with a free boundary lies where its band lies or, without a band, where its start lies.  A
- * rigid motion of these moves the surface alike.  With a band, a motion of the start changes
- * nothing. */
+/* The band determines where a surface with a free boundary lies; without a band the start does.  A
+ * rigid motion of the band, or of the start without a band, moves the surface too.  A motion of the
+ * start changes nothing if there is a band. */
 static void
 free_surface_moves_with_its_band_or_start(void **state)
 {
@@ -269,8 +269,8 @@ free_surface_moves_with_its_band_or_start(void **state)
 	int k;
 
 	(void)state;
-	for (k = 0; k < 3; k++) {               /* moved are: 0 the start; 1 the band; 2 the start, and
-	                                         * there is no band */
+	for (k = 0; k < 3; k++) {               /* what moves: 0: the start; 1: the band; 2: the start,
+	                                         * without a band */
 		s = given(torus, ROUGH);
 		if (k != 1)
 			reconstruct_free(&s, k < 2);

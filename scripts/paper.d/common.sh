@@ -13,12 +13,12 @@ need() {
 	done
 }
 
-# run COMMAND...: writes its stderr to $w/said; if it fails, dies with the last line of this.
+# run COMMAND...: runs COMMAND, its stderr to $w/said; if it fails, dies with the last line there.
 run() {
 	"$@" 2>"$w/said" || die "$(tail -n 1 "$w/said")"
 }
 
-# timed NAME COMMAND...: the same; also writes the seconds that COMMAND took to $w/NAME.seconds.
+# timed NAME COMMAND...: like run, and writes the seconds that COMMAND took to $w/NAME.seconds.
 timed() {
 	t=$w/$1.seconds
 	shift
@@ -69,7 +69,7 @@ number() {
 	awk -v n="$2" '$1 == n { print $2; found = 1 } END { exit !found }' "$1" || die "lhdiff prints no $2"
 }
 
-# short X [FACTOR]: prints FACTOR X to three significant digits.
+# short X [FACTOR]: prints X, times FACTOR, to three significant digits.
 short() { awk -v x="$1" -v f="${2:-1}" 'BEGIN { printf "%.3g", f*x }'; }
 
 # rising NUMBER...: prints the index of the first number that is not above the one before it;

@@ -18,7 +18,7 @@ multi() {
 	column "$1-scales" self_intersections_b >"$w/$1.self"
 }
 
-# kept ROLE: prints how many percent of the coefficients of both fields lhfft -v kept, by its notes.
+# kept ROLE: prints the percentage of the coefficients of both fields that lhfft kept, from its notes.
 kept() {
 	awk '/ of lambda kept/ { a = $3; n = $5 } / of lambda H kept/ { printf "%.3g ", 100*(a + $3)/(n + $5) }' "$w/$1.kept"
 }

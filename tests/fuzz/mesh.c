@@ -53,15 +53,15 @@ valid(const Soup *s)
 	fuzz_need(s->T >= 0 && isfinite(s->T), "T is neither 0 nor positive");
 }
 
-/* Whether two arrays of so many bytes are equal bit by bit, so that -0 differs from 0.  They may be
- * NULL if `bytes` is 0. */
+/* Whether the arrays a and b of `bytes` bytes are equal bit by bit, so that -0 differs from 0.  They
+ * may be NULL if `bytes` is 0. */
 static int
 samebits(const void *a, const void *b, size_t bytes)
 {
 	return bytes == 0 || memcmp(a, b, bytes) == 0;
 }
 
-/* Checks that b, read from what was written of a, is equal to a.  The (u,v) are compared at the
+/* Checks that b equals a, after a was written and read again as b.  The (u,v) are compared at the
  * corners of faces only, since OBJ stores none for a vertex that belongs to no face. */
 static void
 same(const Soup *a, const Soup *b)
@@ -96,7 +96,7 @@ comesback(const Soup *s, const MeshFormat *format, Parse *parse)
 	free(p);
 	fuzz_need(e == 0 || s->nv == 0, "what was written is refused");
 	if (e)
-		return;                 /* some formats hold no mesh without vertices */
+		return;                 /* some formats need at least one vertex */
 	same(s, &again);
 	soup_free(&again);
 }
