@@ -75,7 +75,7 @@ step(FitSolve *k, double *phi, double *E)
 	k->steps++;
 	is.cut = length > 0.99*k->radius;
 	t = step_length(k, phi, *E, bd, &is.predicted, &E2);
-	is.change = t*sqrt(field_dot(k->n, k->d, k->d)/(k->n/3.0)*k->m->scale/k->m->g.T);
+	is.change = t*sqrt(field_dot(k->n, k->d, k->d)/(k->n/3.0)*k->m->scale)/k->m->g.T;
 	gain = (*E - E2)/is.predicted;
 	is.accepted = gain > 0.01;
 	if (t < 1) {
@@ -106,7 +106,7 @@ sharpness(const Misfit *m, const double *phi)
 static void
 set_weights(Misfit *m, double share)
 {
-	m->w = BLUNT_W*pow(SHARP_W/BLUNT_W, share);
+	m->w = BLUNT_W*pow(SHARP_W/BLUNT_W, share)/sqrt(m->g.T);
 	m->alpha = BLUNT_ALPHA*pow(SHARP_ALPHA/BLUNT_ALPHA, share);
 }
 

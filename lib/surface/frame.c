@@ -3,7 +3,7 @@
 
 #include "cellsq.h"
 #include "frame.h"
-#include "../grid/stencil.h"
+#include "frameband.h"
 #include "../base/vec3.h"
 
 enum { FRAME_HELD = 2 };        /* rings where frame and second form are known */
@@ -143,38 +143,14 @@ position(const void *ctx, int i, int j, CellRows *r)
 	}
 }
 
-/* Frame and second form of phi at inner node (i,j).                                  (12) */
-static int
-node_of_band(Chart g, const double *const phi[3], int i, int j, double pqn[9], double DM[2])
+/* Along one direction, the place of node i of n among the inner nodes of the fine grid, of `fine`
+ * nodes. */
+static double
+place(int i, int n, int fine)
 {
-	double *p = pqn, *q = pqn + 3, *n = pqn + 6, uu[3], uv[3], vv[3], L = 0, M = 0, N = 0, area;
-	int c;
+	double x = i*(fine - 1.0)/(n - 1);
 
-	stencil_tangents(g, phi, i, j, p, q);
-	stencil_second_form(g, phi, i, j, uu, uv, vv);
-	cross3(p, q, n);
-	area = norm3(n);
-	if (!(area > 0))
-		return FRAME_EBAND;
-	for (c = 0; c < 3; c++) {
-		n[c] /= area;
-		L += uu[c]*n[c];
-		M += uv[c]*n[c];
-		N += vv[c]*n[c];
-	}
-	DM[0] = (L - N)/2;
-	DM[1] = M;
-	return 0;
-}
-
-/* Along one direction, the inner node of the fine grid, of `fine` nodes, that is nearest to node i
- * of n. */
-static int
-beside(int i, int n, int fine)
-{
-	int j = (int)(i*(fine - 1.0)/(n - 1) + 0.5);
-
-	return j < 1 ? 1 : j > fine - 2 ? fine - 2 : j;
+	return x < 1 ? 1 : x > fine - 2 ? fine - 2 : x;
 }
 
 /* Number of steps from node i of n to the nearer end. */
@@ -197,10 +173,8 @@ read_band(Given *s, int ring, Chart fine, double *const phi[3], int *at)
 		j = from_end(p/nu, nv);
 		if ((i < j ? i : j) != ring)
 			continue;
-		i = beside(p%nu, nu, fine.nu);
-		j = beside(p/nu, nv, fine.nv);
-		*at = j*fine.nu + i;
-		if (node_of_band(fine, cphi, i, j, s->pqn + 9*(size_t)p, s->DM + 2*(size_t)p))
+		if (frameband(fine, cphi, place(p%nu, nu, fine.nu), place(p/nu, nv, fine.nv), at,
+		    s->pqn + 9*(size_t)p, s->DM + 2*(size_t)p))
 			return FRAME_EBAND;
 	}
 	return 0;

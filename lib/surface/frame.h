@@ -38,8 +38,8 @@ int frame_surface(Chart g, const double *lambda, const double *H, double *const 
 	int *at, SpdReport *report);
 
 /* The same on a coarser grid g: a start for the surface method (surface.h).  The border of phi
- * holds the boundary curve; frame and second form there are taken from the nearest nodes of the
- * band of the fine grid, to first order in the steps.  *at is a node of the fine grid.  Returns as
+ * holds the boundary curve; frame and second form there are taken from the band of the fine grid,
+ * linear between its nodes, to first order in the steps.  *at is a node of the fine grid.  Returns as
  * frame_surface. */
 int frame_coarse(Chart fine, double *const band[3], Chart g, const double *lambda, const double *H,
 	double *const phi[3], int *at, SpdReport *report);

@@ -44,7 +44,7 @@ fill(Misfit *m, const double *lambda2, const double *l2H)
 	for (j = rows.from; j < rows.to; j++)
 		for (i = columns.from; i < columns.to; i++)
 			sum += lambda2[(size_t)j*m->g.nu + i];
-	m->scale = stencil_inner_count(m->g)/sum;
+	m->scale = m->g.T*stencil_inner_count(m->g)/sum;
 	for (j = rows.from; j < rows.to; j++)
 		for (i = columns.from; i < columns.to; i++) {
 			p = (size_t)j*m->g.nu + i;

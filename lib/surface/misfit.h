@@ -2,12 +2,13 @@
  * gradient and the matrix of its Gauss-Newton steps.  doc/mathematics.md 6.2, 6.3.
  *
  *   E(phi) = sum over the inner nodes of
- *              o^2 ( <Delta phi, n> - 2 lambda^2 H )^2 / <lambda^2>              normal
- *     + alpha^2 o^2 ( <Delta phi, phi_u>^2 + <Delta phi, phi_v>^2 ) / (lambda^2 <lambda^2>)
- *         + w^2 o   ( |phi_u|^2 + |phi_v|^2 - 2 lambda^2 )^2 / (4 lambda^2 <lambda^2>)
- *         + w^2 o^2 ( (|phi_u|^2 - |phi_v|^2)^2/4 + <phi_u, phi_v>^2 ) / (lambda^2 <lambda^2>)
+ *              o^2 ( <Delta phi, n> - 2 lambda^2 H )^2 T/<lambda^2>             normal
+ *     + alpha^2 o^2 ( <Delta phi, phi_u>^2 + <Delta phi, phi_v>^2 ) T/(lambda^2 <lambda^2>)
+ *         + w^2 o   ( |phi_u|^2 + |phi_v|^2 - 2 lambda^2 )^2 T/(4 lambda^2 <lambda^2>)
+ *         + w^2 o^2 ( (|phi_u|^2 - |phi_v|^2)^2/4 + <phi_u, phi_v>^2 ) T/(lambda^2 <lambda^2>)
  *
- * where <lambda^2> is the mean over the inner nodes.  The first two lines are (9), the last two
+ * where <lambda^2> is the mean over the inner nodes.  With w sqrt(T) given, E is the same for a
+ * rectangle of any size and for u and v exchanged.  The first two lines are (9), the last two
  * (6).  The differences are those of lambdah.h (stencil.h), so that for a gridded surface and its
  * own lambda and H the first and the third line are 0, to rounding.  The others are 0 only if that
  * grid is conformal; if not, the residual channels nu and tau correct them.  E does not depend on
@@ -52,8 +53,8 @@ typedef struct Residue {
 
 typedef struct Misfit {
 	Chart          g;
-	double         w, alpha;
-	double         scale;           /* 1/<lambda^2> */
+	double         w, alpha;        /* w per unit of u: a wave number over sqrt(T) */
+	double         scale;           /* T/<lambda^2> */
 	double         blur;            /* n = c/(|c|^2 + blur lambda^4)^(1/2), c = phi_u x phi_v */
 	double        *lambda2, *l2H2;  /* [nv][nu] lambda^2 and 2 lambda^2 H */
 	double        *o;               /* [nv][nu] */

@@ -10,7 +10,8 @@
 #include "surface.h"
 
 enum { COARSEST = 65*65 };      /* fewest nodes of a coarse grid */
-static const double SQUARE = 1.5;       /* both axes are coarsened up to this ratio of the steps */
+static const double SQUARE = M_SQRT2;   /* up to this ratio of the steps both axes are coarsened: above, cells
+                                         * are nearer to squares if only one is */
 static const double ENOUGH = 1e-4;      /* tolerance of coarse grids */
 enum { ROUGH = 12 };            /* most steps on coarse grids */
 /* The share of E that is not worth another step: on the finest grid, and on coarse ones, where the
