@@ -135,17 +135,30 @@ check:
 	scripts/deps --tests
 	$(MAKE) all tests
 	scripts/arrows $(BUILD)
-	for t in $(UNIT); do $$t || exit 1; done
-	for t in $(FUZZ); do $(BUILD)/tests/fuzz/$$t tests/fuzz/corpus/$$t tests/lhg/good tests/lhg/bad || exit 1; done
-	bats tests
+	$(MAKE) -O $(CHECKS)
+
+# Each program of tests and each file of command tests is a target of its own: make -j2 check
+# runs two at a time.
+UNITRUN := $(UNIT:%=run-%)
+FUZZRUN := $(FUZZ:%=run-fuzz-%)
+BATSRUN := $(patsubst %,run-%,$(wildcard tests/*.bats))
+CHECKS  := $(BATSRUN) $(UNITRUN) $(FUZZRUN)
+
+$(UNITRUN): run-%: %
+	$<
+
+$(FUZZRUN): run-fuzz-%: $(BUILD)/tests/fuzz/%
+	$< tests/fuzz/corpus/$* tests/lhg/good tests/lhg/bad
+
+$(BATSRUN): run-%: all tests
+	bats $*
 
 # The command tests that take only seconds.
 FAST = arrows doc lhg lhgpy lhdiff
 
 quick: all $(UNIT)
 	scripts/arrows $(BUILD)
-	for t in $(filter-out %_adapt %_surface %_synth,$(UNIT)); do $$t || exit 1; done
-	bats $(FAST:%=tests/%.bats)
+	$(MAKE) -O $(filter-out %_adapt %_surface %_synth,$(UNITRUN)) $(FAST:%=run-tests/%.bats)
 
 # One test, as make check runs it.
 test: all tests
@@ -204,7 +217,7 @@ clean:
 
 compile_commands.json: FORCE
 
-.PHONY: FORCE all tests demo check quick test check-untracked soak fuzz fuzztargets coverage bench paper install uninstall clean
+.PHONY: FORCE $(CHECKS) all tests demo check quick test check-untracked soak fuzz fuzztargets coverage bench paper install uninstall clean
 .SECONDARY: $(OBJ)
 
 -include $(OBJ:.o=.d)
