@@ -4,8 +4,8 @@
 #include "cg.h"
 #include "field.h"
 
-/* The largest t with |d + t p| = radius.  dd, dp and pp are the inner products <d, P d>, <d, P p>
- * and <p, P p>. */
+/* The largest t with |d + t p| = radius in the norm of P.  dd, dp and pp are the inner products
+ * <d, P d>, <d, P p> and <p, P p>. */
 static double
 to_radius(double dd, double dp, double pp, double radius)
 {

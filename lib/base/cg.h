@@ -17,15 +17,15 @@ typedef struct CgLimits {
 	double reduction;       /* stop at this share of the first |r|, in the norm of P^-1 */
 	int    steps;
 	double radius;          /* bounds |x - start| in the norm of P; HUGE_VAL: no bound */
-	double worth;           /* stop when a step adds less than this times the decrease */
-	double before;          /* decrease before this call: counts in the test with worth, not
-	                         * in the result */
+	double worth;           /* stop when a step adds less than this times the decrease so far */
+	double before;          /* decrease before this call: added to the decrease so far in the test
+	                         * with worth, but not in the result */
 } CgLimits;
 
 typedef struct CgResult {
 	double decrease;        /* twice the decrease of the function */
 	double length;          /* |x - start| in the norm of P, at most the radius */
-	int    steps;           /* not counting a last one that radius or worth stopped */
+	int    steps;           /* without the last one if it was stopped by radius or worth */
 } CgResult;
 
 /* x  in/out  in: the start; out: the solution

@@ -4,7 +4,7 @@
 #define PROCRUSTES_H
 
 enum {
-	PROCRUSTES_EVALUE = -1,         /* a number that is not finite, or whose square overflows */
+	PROCRUSTES_EVALUE = -1,         /* a number is not finite, or a sum of them overflows */
 	PROCRUSTES_ESVD   = -2          /* the singular value decomposition did not converge */
 };
 

@@ -32,7 +32,7 @@ norm3(const double a[3])
 	return sqrt(dot3(a, a));
 }
 
-/* As fmax(a, b), but always inline.  a must not be NaN. */
+/* As fmax(a, b), but without a call of the library.  a must not be NaN. */
 static inline double
 larger(double a, double b)
 {
