@@ -12,12 +12,12 @@ Channel *channel_find(const Channels *c, const char *name);
 double *channel_values(const Channels *c, const char *name);
 
 /* Finds the channel of that name, or adds one of n numbers at each of nv vertices.  name has fewer
- * than CHANNEL_NAME characters.  Returns the values, which are not set, or NULL if memory runs out;
- * the channels are then unchanged. */
+ * than CHANNEL_NAME characters.  Returns the values; those of a new channel are not set.  Returns
+ * NULL if memory runs out, with the channels unchanged. */
 double *channel_add(Channels *c, const char *name, int n, size_t nv);
 
 /* Copies all channels of `from` to nv other vertices: new vertex i gets the values of old vertex
- * vertex[i], or `none` if that is -1.  `to` must be empty.  Returns 0, or MESH_ENOMEM; `to` is then
+ * vertex[i], or `none` if that is -1.  `to` must be empty.  Returns 0, or MESH_ENOMEM with `to`
  * still empty. */
 int channels_gather(Channels *to, const Channels *from, int nv, const int *vertex, double none);
 

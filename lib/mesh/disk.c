@@ -50,8 +50,9 @@ checkfinite(const Soup *s, char *err)
 	return 0;
 }
 
-/* Renumbers the vertices: vertex v becomes to[v] < nnew, or is dropped if to[v] is -1.  Where
- * several become one, it has the position and the number in the file of the first. */
+/* Renumbers the vertices: vertex v becomes to[v] < nnew, or is dropped if to[v] is -1.  The new
+ * numbers must first appear in ascending order.  A vertex made of several has the position and the
+ * number in the file of the first. */
 static void
 renumber(Disk *d, const int *to, int nnew)
 {

@@ -5,33 +5,33 @@
 #include "mesh.h"
 
 /* Splits polygons into triangles, makes the repairs that need no guess, lists these in d->note, and
- * checks the rest.  The repairs: drop vertices that no face has; if no two faces share a vertex (as
- * in every STL), weld vertices of equal position; turn faces so that neighbours agree, with the
- * orientation of the majority.  The checks: corners in range, finite coordinates, no degenerate
- * face, edges of at most two faces, consistent orientation, one component, one fan of faces at each
- * vertex, one boundary loop, no handles.  The first error is reported with its place.
+ * checks the rest.  The repairs: drop vertices that belong to no face; if no two faces share a
+ * vertex (as in every STL), weld vertices of equal position; turn faces so that neighbours agree,
+ * with the orientation of the majority.  The checks: corners in range, finite coordinates, no
+ * degenerate face, edges of at most two faces, consistent orientation, one component, one fan of
+ * faces at each vertex, one boundary loop, no handles.  The first error is reported with its place.
  *
  * The disk has the channels of s; a vertex welded from several has those of the first.
  *
- * s is only read.  Returns 0, MESH_ENOMEM, MESH_EINDEX, MESH_EVALUE, MESH_EFACE,
- * MESH_EMANIFOLD, MESH_EORIENT or MESH_EDISK, with the reason in d->err; d then holds
- * nothing to free. */
+ * s is only read.  Returns 0; or MESH_ENOMEM, MESH_EINDEX, MESH_EVALUE, MESH_EFACE,
+ * MESH_EMANIFOLD, MESH_EORIENT or MESH_EDISK, with the reason in d->err and nothing in d to
+ * free. */
 int disk_from_soup(Disk *d, const Soup *s);
 
 /* The faces of a soup, for uses that need no disk.  Vertices are dropped and welded as above, but
- * no face is turned, and faces that cannot be split into triangles with area are left out (d->note
- * has their number and the first of them).  The only checks are that corners are in range,
- * coordinates are finite and a face is left.  loop and twin are NULL.
+ * no face is turned.  Faces that cannot be split into triangles with area are left out; d->note
+ * tells how many, and which was the first.  The only checks are that corners are in range,
+ * coordinates are finite and at least one face is left.  loop and twin are NULL.
  *
- * Returns 0, MESH_ENOMEM, MESH_EINDEX, MESH_EVALUE, MESH_EFACE or MESH_EDISK, as above. */
+ * Returns 0; or MESH_ENOMEM, MESH_EINDEX, MESH_EVALUE, MESH_EFACE or MESH_EDISK, as above. */
 int disk_loose(Disk *d, const Soup *s);
 
-/* Reverses the orientation of every face, and so the normal, and that of the loop, which still
- * begins at its lowest vertex number. */
+/* Reverses the orientation of every face, hence the normal, and the direction of the loop.  The
+ * loop still begins at its lowest vertex number. */
 void disk_flip(Disk *d);
 
-/* Copies numbers at the vertices of a disk to a channel of the soup it was made from: f has n
- * numbers at each vertex of d; vertices of the soup that were dropped get `none`.
+/* Copies numbers at the vertices of a disk to a channel of the soup from which the disk was made.
+ * f has n numbers at each vertex of d.  Vertices of the soup that were dropped get `none`.
  *
  * f        in   [d->m.nv][n]
  * s        in   the soup of disk_from_soup; a channel of that name is overwritten
@@ -40,7 +40,8 @@ void disk_flip(Disk *d);
 int disk_channel_to_soup(const Disk *d, const char *name, int n, const double *f, double none, Soup *s);
 
 /* Does the same for the (u,v) of the disk, [d->m.nv] each: sets the channel MESH_UV of s, and s->T.
- * Negative cotangents may map vertices outside [0,1] x [0,T]; these are moved to its border. */
+ * Negative cotangents may map vertices outside [0,1] x [0,T]; such vertices are moved to the border
+ * of the rectangle. */
 int disk_uv_to_soup(const Disk *d, const double *u, const double *v, double T, Soup *s);
 
 #endif

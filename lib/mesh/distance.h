@@ -19,22 +19,23 @@ enum {
  * vertices. */
 void distance_vertices(const Mesh *a, const Mesh *b, double *max, double *mean);
 
-/* The symmetric Hausdorff distance between two surfaces: the largest distance from a
- * point of one (of its faces, not its vertices alone) to the other.  Faces without area
- * are left out.  Coordinates must be finite.
+/* The symmetric Hausdorff distance between two surfaces: the largest distance from a point of one
+ * surface to the other surface, over all points of the faces, not only the vertices.  Faces without
+ * area are left out.  Coordinates must be finite.
  *
  * error  in   > 0, in the unit of length.  If the surfaces are farther apart than this, the
  *             time depends on their sizes only; otherwise it grows as 1/error: two
  *             triangulations of one plane, of 5000 and 6000 vertices, took 0.2, 2 and
  *             29 s for an error of 1e-2, 1e-3 and 1e-4 of the square root of the area
- * d      out  the distance to +-error: exactly 0 if the faces are the same; equal to `error`
- *             if it is only known to be at most that
+ * d      out  the distance, up to +-error.  0 if both have the same faces.  If all that is known is
+ *             that the distance is at most `error`, d is `error`
  *
  * Returns 0, DISTANCE_ENOMEM, DISTANCE_EAREA or DISTANCE_ECGAL. */
 int distance_hausdorff(const Mesh *a, const Mesh *b, double error, double *d);
 
 /* Sets *pairs to the number of pairs of faces that intersect in more than the vertices or the edge
- * that both have by vertex numbers.  Faces without area are left out.
+ * that they share.  They share those vertices that have the same number in both.  Faces without
+ * area are left out.
  *
  * Returns 0, DISTANCE_ENOMEM, DISTANCE_EEDGE or DISTANCE_ECGAL. */
 int distance_crossings(const Mesh *m, long *pairs);

@@ -5,8 +5,8 @@
 #include "polypriv.h"
 #include "../base/vec3.h"
 
-/* Twice the vector area of the polygon, divided by size^2: the sum of the cross products of the
- * triangles that have corner 0. */
+/* Twice the vector area of the polygon, divided by size^2: the sum of the cross products over the
+ * triangles 0 i i+1. */
 static void
 vectorarea(const Polygon *p, double size, double side[3])
 {
@@ -83,8 +83,8 @@ signed_area(const Polygon *p, int a, int b, int c)
 }
 
 /* Whether corner i is an ear: it is convex, its triangle contains no other corner, not even on a
- * side, and the triangle has area in space.  (Rounding errors in the plane are relative to the
- * whole polygon.) */
+ * side, and the triangle has area in space.  Area is checked in space, too, because the rounding
+ * errors in the plane are in proportion to the whole polygon, not to the triangle. */
 static int
 isear(const Polygon *p, int i)
 {

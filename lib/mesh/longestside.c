@@ -1,4 +1,4 @@
-/* longestside.c - longest-edge bisection: the closure of the marked faces. */
+/* longestside.c - the sides that longest-edge bisection cuts. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +24,7 @@ edge_of_side(const Disk *d, int side)
 	return d->twin[side] >= 0 && d->twin[side] < side ? d->twin[side] : side;
 }
 
-/* Whether side a comes before side b of the same length. */
+/* Whether side a is to be chosen rather than side b of the same length. */
 static int
 is_preferred(const Disk *d, const double *key, int a, int b)
 {
@@ -59,7 +59,7 @@ typedef struct Stack {
 	int *face, n;
 } Stack;
 
-/* Cuts a side, for both its faces, and pushes the neighbour to be checked. */
+/* Marks a side as cut, in both its faces, and pushes the neighbour to be checked. */
 static void
 cut_side(const Disk *d, int side, int *cut, Stack *s)
 {

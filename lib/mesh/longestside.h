@@ -6,10 +6,10 @@
 
 #include "mesh.h"
 
-/* The longest side of face f.  Of sides that are equally long up to rounding, it is the one whose
- * ends have the largest sum of keys; if these are equal, too, or key is NULL, the one whose
- * edge contains the side of lowest number.  So both faces at an edge choose by the same rule.  Side
- * 3*f + k runs from corner k to the next.
+/* Returns the longest side of face f.  Side 3*f + k runs from corner k to the next.  Of sides that
+ * are equally long up to rounding, the one is returned whose ends have the largest sum of keys.  If
+ * the sums are equal, too, or key is NULL, it is the side of the edge with the lowest number.  The
+ * number of an edge is the lower of its two sides, so both faces at an edge choose by the same rule.
  *
  * key  in  [nv] numbers that do not depend on how the vertices are numbered, or NULL */
 int longest_side(const Disk *d, const double *key, int f);

@@ -66,8 +66,8 @@ typedef struct Disk {
 	                         * beginning at its lowest vertex number */
 	int *twin;              /* [3*m.nf] the side of the neighbour, -1 on the boundary; side 3*t+k goes
 	                         * from corner k of triangle t to the next */
-	int *file;              /* [m.nv] the number of each vertex in its soup; of welded ones the
-	                         * lowest */
+	int *file;              /* [m.nv] the number of each vertex in its soup: the lowest one if
+	                         * several were welded, -1 if the vertex was added later */
 	int  nfile;
 	int *became;            /* [nfile] the vertex of m for each vertex of the soup, -1: none */
 	Channels channels;      /* of the soup, at the vertices of m */

@@ -39,8 +39,8 @@ smaller_shape(const Polygon *p, int i, const double side[3])
 	return fmin(dot3(m, side), dot3(n, side));
 }
 
-/* Splits by the diagonal for which the smaller of the two shapes is larger.  The cross product of
- * the diagonals is the normal of both splits of a flat quad. */
+/* Splits by the diagonal for which the smaller of the two shapes is larger.  In a flat quad the
+ * cross product of the diagonals is normal to the triangles of both splits. */
 static int
 quad(Polygon *p)
 {

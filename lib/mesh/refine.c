@@ -18,7 +18,8 @@ typedef struct Split {
 	int        *tri, *twin, nf;     /* the new faces so far */
 } Split;
 
-/* Numbers the new vertices and returns their count; *faces is the count of new faces. */
+/* Numbers the new vertices and returns their count.  *faces: the count of faces of the refined
+ * mesh. */
 static int
 number_cuts(Split *s, int *faces)
 {
@@ -35,8 +36,8 @@ number_cuts(Split *s, int *faces)
 	return n - s->d->m.nv;
 }
 
-/* n numbers at each vertex: copies f of the old ones to `to`, and appends for each new one the mean
- * of the ends of its side. */
+/* Copies f, n numbers at each old vertex, to `to`.  Appends for each new vertex the mean of the two
+ * ends of its side. */
 static void
 midpoints(const Split *s, int n, const double *f, double *to)
 {
@@ -90,7 +91,7 @@ join_sides(Split *s, int side, int twin)
 	s->twin[twin] = side;
 }
 
-/* The part A m C of a face, halved where CA is cut; returns its side m C. */
+/* Adds the part A m C of a face, as two halves if CA is cut.  Returns its side m C. */
 static int
 emit_left(Split *s, int A, int m, int C, int side, int last)
 {
@@ -108,7 +109,7 @@ emit_left(Split *s, int A, int m, int C, int side, int last)
 	return right + 1;
 }
 
-/* The part m B C, halved where BC is cut; returns its side C m. */
+/* Adds the part m B C of a face, as two halves if BC is cut.  Returns its side C m. */
 static int
 emit_right(Split *s, int m, int B, int C, int side, int next)
 {
@@ -139,8 +140,8 @@ emit_similar(Split *s, int f)
 	}
 }
 
-/* The parts of face f: itself, or halves at its longest side AB, each of them halved
- * again where its other old side is cut. */
+/* Adds the parts of face f: the face itself, or its two halves at the midpoint of its longest side
+ * AB.  Each half is halved again if its other old side is cut. */
 static void
 emit_face(Split *s, int f)
 {
@@ -163,7 +164,8 @@ emit_face(Split *s, int f)
 	join_sides(s, left, emit_right(s, m, topology_to(&s->t, side), C, side, next));
 }
 
-/* Twins along the old sides: the first half of one lies along the second of its twin. */
+/* Sets the twins of the new sides that lie on old sides.  A side and its old twin run in opposite
+ * directions, so the first half of one is the twin of the second half of the other. */
 static void
 join_across_old_sides(Split *s)
 {

@@ -14,7 +14,7 @@
  * finer   out  a disk of the same surface (its note and err are ""); disk_free it
  * ends    out  [finer->m.nv - d->m.nv] the ends of the edge of each new vertex; free it.  May be NULL
  *
- * Returns 0 or MESH_ENOMEM; finer and ends then hold nothing to free. */
+ * Returns 0, or MESH_ENOMEM with nothing to free in finer and ends. */
 int refine_split(const Disk *d, const unsigned char *marked, const double *key, Disk *finer,
 	int (**ends)[2]);
 

@@ -3,7 +3,7 @@
 
 #include "sortpoints.h"
 
-/* The same point, given on the side of its edge with the lower number. */
+/* The same point, given on the side that has the lower number of the two sides of its edge. */
 static EdgePoint
 seen_from_lower(const Disk *d, EdgePoint p)
 {
@@ -22,8 +22,8 @@ along_edges(const void *a, const void *b)
 	return p->place < q->place ? -1 : p->place > q->place;
 }
 
-/* Sorts the points.  Drops those at a vertex, and those less than 1e-9 behind another on their
- * edge.  Returns how many are left. */
+/* Sorts the points.  Drops those at a vertex, and those less than 1e-9 beyond the one before on the
+ * same edge.  Returns how many are left. */
 static int
 sort_edge_points(const Disk *d, int n, EdgePoint *point)
 {

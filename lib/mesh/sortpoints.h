@@ -18,9 +18,9 @@ typedef struct Sorted {
 	int           nwithin, non;
 } Sorted;
 
-/* Sorts n points of d.  Of points on an edge whose places differ by less than 1e-9 one is kept;
- * points at a vertex are dropped.  Returns 0 or MESH_ENOMEM; the arrays of s are to be freed in
- * both cases. */
+/* Sorts n points of d.  Points at a vertex are dropped.  If the places of points on an edge differ
+ * by less than 1e-9, one of them is kept.  Returns 0 or MESH_ENOMEM; the arrays of s are to be
+ * freed in both cases. */
 int sort_points(const Disk *d, int n, const SurfacePoint *point, Sorted *s);
 
 #endif

@@ -4,7 +4,7 @@
 #include "splitting.h"
 #include "topology.h"
 
-/* Gives a side another number: its twin and all that is recorded of it move along. */
+/* Moves side `from` to number `to`, with its twin, its flag in `inner` and the next point on it. */
 static void
 move_side(const Splitting *s, int from, int to)
 {

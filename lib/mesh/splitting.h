@@ -4,11 +4,11 @@
 
 #include "mesh.h"
 
-/* The splitting of a disk at points of its edges and triangles.  The points of an edge
- * are inserted one by one; line and side tell which side has the points that are still to come. */
+/* The splitting of a disk at points of its edges and triangles.  The points of an edge are inserted
+ * one by one.  line and side tell which side contains the points that are not inserted yet. */
 typedef struct Splitting {
 	Disk *d;
-	unsigned char *inner;   /* [3*nf] of Subdivision */
+	unsigned char *inner;   /* [3*nf] that of Subdivision, or NULL */
 	int  *line;             /* [3*nf] the number of the next point on this side, or -1 */
 	int  *side;             /* [points] the side that has the point now */
 	int  *after;            /* [nv] the next boundary vertex after a boundary vertex */

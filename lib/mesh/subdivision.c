@@ -114,15 +114,15 @@ add_vertex(Subdivision *s, const int c[3], const double w[3])
 	return v;
 }
 
-/* Twice the area of the triangle of three points, each with barycentric coordinates in the same
- * triangle, of which the area is 1/2. */
+/* Twice the area of the triangle a b c.  The three points are given by barycentric coordinates in
+ * one triangle, whose area counts as 1/2. */
 static double
 area(const double a[3], const double b[3], const double c[3])
 {
 	return (b[1] - a[1])*(c[2] - a[2]) - (c[1] - a[1])*(b[2] - a[2]);
 }
 
-/* The barycentric coordinates of vertex v of a part of triangle c. */
+/* The barycentric coordinates w, in triangle c, of vertex v: a corner of c, or added within it. */
 static void
 coordinates(const Subdivision *s, const int c[3], int v, double w[3])
 {
@@ -134,8 +134,8 @@ coordinates(const Subdivision *s, const int c[3], int v, double w[3])
 		memcpy(w, s->w[v - s->given], sizeof s->w[0]);
 }
 
-/* The least of the three areas that the point w makes with the sides of t, a part of triangle c;
- * above 0 if the point is inside. */
+/* The least of the three areas that the point w makes with the sides of t, a part of triangle c.
+ * It is positive if the point is inside t. */
 static double
 depth(const Subdivision *s, const int c[3], int t, const double w[3])
 {

@@ -20,8 +20,8 @@ typedef struct Subdivision {
 	unsigned char *inner;   /* [3*d.m.nf] 1: the side lies within a face of the given disk */
 } Subdivision;
 
-/* A copy of d, without new vertices.  Channels, note and err are not copied.
- * Returns 0 or MESH_ENOMEM; s then holds nothing to free. */
+/* Sets s to a copy of d, without new vertices.  Channels, note and err are not copied.
+ * Returns 0, or MESH_ENOMEM with nothing in s to free. */
 int  subdivision_init(Subdivision *s, const Disk *d);
 void subdivision_free(Subdivision *s);
 
@@ -31,23 +31,23 @@ SurfacePoint subdivision_on_side(int side, double place);
 
 /* Adds the points to s as vertices: first those within triangles, then those on edges.  A point
  * within a triangle splits it into three; a point on an edge splits each triangle at that edge into
- * two.  The new triangles may be arbitrarily thin.  Of equal points on an edge one is added; points
- * at a vertex are not.
+ * two.  The new triangles may be arbitrarily thin.  Points at a vertex are not added.  Of points on
+ * an edge that are equal up to 1e-9 of the edge, one is added.
  *
  * n, point  in   points of s->d
  *
- * Returns the number of new vertices, or MESH_ENOMEM; s is then only to be freed. */
+ * Returns the number of new vertices, or MESH_ENOMEM, after which s is only to be freed. */
 int  subdivision_add(Subdivision *s, int n, const SurfacePoint *point);
 
-/* Splits faces as refine_split does; inner is not kept.
+/* Splits faces as refine_split does.  inner becomes NULL.
  *
- * marked, key  in   as there
+ * marked, key  in   as for refine_split
  * before       out  the disk as it was, to be freed; or NULL
  *
- * Returns 0 or MESH_ENOMEM; s is then only to be freed. */
+ * Returns 0, or MESH_ENOMEM, after which s is only to be freed. */
 int  subdivision_refine(Subdivision *s, const unsigned char *marked, const double *key, Disk *before);
 
-/* Numbers given at the vertices of the given disk, continued linearly to all vertices.
+/* Extends numbers at the vertices of the given disk linearly to all vertices.
  *
  * n      numbers per vertex
  * f      in    [given][n]; may be the start of all

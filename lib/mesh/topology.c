@@ -131,7 +131,7 @@ topology_fans(const Topology *t)
 }
 
 /* Sets out[v] to the boundary side that starts at v, or -1.  With one fan at each vertex there is
- * at most one. */
+ * at most one such side.  Returns the number of boundary sides. */
 static int
 boundary_sides(const Topology *t, int *out)
 {
@@ -144,8 +144,8 @@ boundary_sides(const Topology *t, int *out)
 	return n;
 }
 
-/* Follows the loop from vertex v, removes it from out, and stores it in `loop`, if not NULL.
- * Returns how many vertices it has. */
+/* Follows the loop from vertex v and removes its sides from out.  Stores its vertices in `loop`,
+ * unless that is NULL.  Returns how many vertices it has. */
 static int
 follow_loop(const Topology *t, int *out, int v, int *loop)
 {
@@ -160,7 +160,8 @@ follow_loop(const Topology *t, int *out, int v, int *loop)
 	return n;
 }
 
-/* Fails with a vertex of each loop if there are others than the first, which began at vertex v. */
+/* Fails if out still has loops beside the first, which began at vertex v and was removed.  The
+ * message names a vertex of each loop, at most four. */
 static int
 check_one_loop(const Topology *t, int *out, int v)
 {
@@ -181,7 +182,8 @@ check_one_loop(const Topology *t, int *out, int v)
 	    n, where, n > 4 ? ", .." : "");
 }
 
-/* By Euler's formula V - E + F = 2 - 2 genus - loops, which is 1 for a disk. */
+/* Checks that the genus is 0, by Euler's formula V - E + F = 2 - 2 genus - loops.  There is one
+ * loop, so the sum is 1 for a disk. */
 static int
 check_genus(const Topology *t)
 {

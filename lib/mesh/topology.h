@@ -24,20 +24,20 @@ typedef struct Topology {
 int topology_twins(Topology *t);
 
 /* Find the faces to turn so that neighbours agree: in each component those that disagree with
- * its first face.  turn is [nf], 1 to turn, 0 not.  Returns 0, MESH_ENOMEM, or MESH_EORIENT if this
- * is impossible. */
+ * its first face.  turn is [nf], 1 to turn, 0 not.  Returns 0, MESH_ENOMEM, or MESH_EORIENT if
+ * neighbours cannot be made to agree. */
 int topology_orient(const Topology *t, signed char *turn);
 
-/* Check that there is one component; vertices of one face are connected.  Every vertex must belong
- * to a face.  Returns 0, MESH_ENOMEM or MESH_EDISK. */
+/* Check that the mesh has one component.  Faces that share a vertex belong to the same component.
+ * Every vertex must belong to a face.  Returns 0, MESH_ENOMEM or MESH_EDISK. */
 int topology_connected(const Topology *t);
 
 /* Check that every vertex has one fan of faces.  Needs odd == 0.  Returns 0, MESH_ENOMEM or
  * MESH_EMANIFOLD. */
 int topology_fans(const Topology *t);
 
-/* The one boundary loop, as in Disk.  Needs all checks above.  Returns 0, MESH_ENOMEM, or
- * MESH_EDISK: no loop, several, or handles. */
+/* The one boundary loop, as in Disk; the caller frees it.  Needs all checks above.  Returns 0,
+ * MESH_ENOMEM, or MESH_EDISK: no loop, several, or handles. */
 int topology_loop(const Topology *t, int **loop, int *nb);
 
 static inline int

@@ -1,11 +1,11 @@
-/* twins.c - the side of the neighbouring face across each side. */
+/* twins.c - the twin of each side: the side of the neighbouring face on the same edge. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "fail.h"
 #include "topology.h"
 
-/* An entry in the list of the lower of a side's two vertices: hi is the other vertex. */
+/* A side between two vertices, kept in the list of the one with the lower number; hi is the other. */
 typedef struct Side {
 	int hi, side;
 } Side;
@@ -73,8 +73,8 @@ sort_by_lower(const Topology *t, int *start, Side *s)
 }
 
 /* Pairs the n sides that have the same lower vertex.  nedge counts the edges, odd becomes 1 if two
- * twins run in the same direction.  Returns 0, or the number of faces of the first edge that has
- * more than two, *hi its other end. */
+ * twins run in the same direction.  Returns 0.  If an edge belongs to more than two faces, returns
+ * their number, with the other end of the edge in *hi. */
 static int
 pair(const Topology *t, Side *s, int n, int *nedge, int *odd, int *hi)
 {
