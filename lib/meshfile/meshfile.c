@@ -60,8 +60,7 @@ is_gzip(const char *p, size_t n)
 	return n >= 2 && memcmp(p, "\x1f\x8b", 2) == 0;
 }
 
-/* The start of a file, whose first n bytes are at p.  The file has `least` to `most` bytes in
- * all. */
+/* The beginning of a file of `least` to `most` bytes.  Its first n bytes are at p. */
 static MeshStart
 beginning_of(const char *p, size_t n, size_t least, size_t most)
 {

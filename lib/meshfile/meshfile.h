@@ -20,44 +20,47 @@
  *      elements; faces as vertex_indices or vertex_index lists, or tristrips
  * STL  ASCII and binary; every triangle has three vertices of its own
  *
- * most  in  bytes that gzip data may unpack to
+ * most  in  the most bytes that gzip data may unpack to
  *
- * Returns 0, MESH_ENOMEM, MESH_EFORMAT, MESH_EINDEX or MESH_EVALUE, with the reason
- * and the place in s->err (a truncation names the record, "file ends in face 12 of
- * 100"); s then holds nothing to free.
+ * Returns 0; or MESH_ENOMEM, MESH_EFORMAT, MESH_EINDEX or MESH_EVALUE, with the reason and the
+ * place in s->err and nothing in s to free.  For a truncated file the place is the record: "file
+ * ends in face 12 of 100".
  *
- * The memory used is at most 1 KiB and 16 bytes for each byte of input, whatever counts the file
- * announces.  Gzip data, recognised by their first bytes, are unpacked first.  deflate compresses
- * by at most 1030:1, so data that unpack to more than 1100 bytes for each byte of input are
- * refused, as are more than `most` bytes.  The limit of 16 bytes then holds for each unpacked byte.
- * In addition there is the buffer of unpacked bytes: while it grows, at most 3 bytes for each
- * unpacked byte and 4 for each byte of input; and 64 KiB for zlib. */
+ * The memory used is at most 1 KiB plus 16 bytes for each byte of input, whatever counts the file
+ * announces.  Gzip data, recognised by their first bytes, are unpacked first, and the limit of 16
+ * bytes holds for each unpacked byte.  The buffer of unpacked bytes comes on top: while it grows, at
+ * most 3 bytes for each unpacked byte plus 4 for each byte of input.  zlib takes 64 KiB more.  Data
+ * that unpack to more than `most` bytes are refused.  So are data that unpack to more than 4 KiB
+ * plus 1100 bytes for each byte of input: they are damaged, as deflate compresses by at most
+ * 1030:1. */
 int meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most);
 
 /* Like meshfile_parse, but also reads the (u,v) of every vertex into the channel MESH_UV, the
  * height T of their rectangle into s->T (0 if the file does not have it), and the offsets, if the
  * file has them, into the channel MESH_OFFSET:
  *
- * OBJ  vt lines and corners a/b or a/b/c; T from a line "# lhgrid T 0.91";
- *      lines "# lhgrid offset 0.01 0 -0.002 0.03", one for each vertex in their order
- * PLY  vertex properties s t, or u v, or texture_u texture_v; T from "comment lhgrid T 0.91";
- *      offset_u offset_v offset_n offset_r
+ * OBJ  (u,v) from vt lines and corners a/b or a/b/c; T from a line "# lhgrid T 0.91"; offsets from
+ *      lines "# lhgrid offset 0.01 0 -0.002 0.03", one for each vertex, in the order of the vertices
+ * PLY  (u,v) from vertex properties s t, or u v, or texture_u texture_v; T from a line "comment
+ *      lhgrid T 0.91"; offsets from vertex properties offset_u offset_v offset_n offset_r
  *
  * In an OBJ, a vertex that belongs to no face gets (-1,-1).  Returns MESH_EFORMAT also if the
- * format has no (u,v), if (u,v) are missing, or if only some vertices have offsets; MESH_EVALUE
- * also if a (u,v) or an offset is not finite, or if a vertex has two different (u,v). */
+ * format has no (u,v), if (u,v) are missing, or if only some vertices have offsets.  Returns
+ * MESH_EVALUE also if a (u,v) or an offset is not finite, if the fourth number of an offset is
+ * negative, if T is not positive, or if a vertex has two different (u,v). */
 int meshfile_parse_uv(Soup *s, const void *bytes, size_t n, size_t most);
 
-/* Checks whether a file of at most `most` bytes that begins with the n bytes at head can be a mesh.
- * Returns 0, or MESH_EFORMAT with the reason in err.  An endless pipe can thus be refused early. */
+/* Checks whether a file can be a mesh.  It has at most `most` bytes, and the first n are at head.
+ * Returns 0, also if n bytes are too few to decide, or MESH_EFORMAT with the reason in err.  An
+ * endless pipe can thus be refused early. */
 int meshfile_plausible(const void *head, size_t n, size_t most, char err[MESH_ERRLEN]);
 
 /* Writes the vertices and polygons of s, unchanged, as a mesh file in memory; also the channels
  * MESH_UV and MESH_OFFSET, and T, if s has them and the format can store them.  OFF and OBJ are
  * text from which every double is read back exactly, PLY is binary_little_endian double, STL is
- * binary float.  *bytes is malloc'd, *n its length.  Returns 0, MESH_ENOMEM, MESH_EVALUE if a
- * coordinate is too large for the format, or MESH_EFACE if a face is no triangle and the format has
- * only triangles. */
+ * binary float.  *bytes is malloc'd, *n its length; on failure there is nothing to free.  Returns 0,
+ * MESH_ENOMEM, MESH_EVALUE if a coordinate is too large for the format, or MESH_EFACE if a face is
+ * no triangle and the format has only triangles. */
 int meshfile_write(const Soup *s, const MeshFormat *format, char **bytes, size_t *n);
 int meshfile_write_mesh(const Mesh *m, const MeshFormat *format, char **bytes, size_t *n);
 

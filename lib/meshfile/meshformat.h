@@ -23,23 +23,23 @@ enum {
 
 typedef struct MeshFormat {
 	const char *name;       /* "OFF" */
-	const char *ends;       /* of file names, with a blank between several: ".off" */
+	const char *ends;       /* the endings of file names, separated by blanks: ".off" */
 	unsigned    can;        /* flags from above */
 	int       (*recognise)(const struct MeshStart *);       /* meshpriv.h */
 	int       (*read)(struct Reader *);                     /* meshpriv.h */
 	int       (*write)(struct Text *, const Soup *);        /* writepriv.h */
 } MeshFormat;
 
-/* Row i, or NULL after the last.  Row 0 is what a program writes to stdout. */
+/* Row i, or NULL after the last.  Row 0 is the format that programs write to stdout. */
 const MeshFormat *meshformat(int i);
 
-/* The format to write to a file of this name: that of the ending of the name, in upper or lower
- * case; NULL if there is none. */
+/* The format to write to a file of this name, by the ending of the name, in upper or lower case;
+ * NULL if no format that can be written has that ending. */
 const MeshFormat *meshformat_of(const char *file);
 
-/* Lists of the formats that have all flags of can, for usage texts and messages: "OFF, OBJ or PLY"
- * with the word "or", and the ends of their file names, ".off .obj or .ply".  Both write the list
- * to buf and return buf. */
+/* Lists, for usage texts and messages, of the formats that have all flags of can.
+ * meshformat_names gives their names: "OFF, OBJ or PLY" if word is "or".  meshformat_ends gives the
+ * endings of their file names: ".off .obj or .ply".  Both write the list to buf and return buf. */
 enum { MESHFORMAT_LIST = 120 };
 char *meshformat_names(unsigned can, const char *word, char buf[MESHFORMAT_LIST]);
 char *meshformat_ends(unsigned can, char buf[MESHFORMAT_LIST]);

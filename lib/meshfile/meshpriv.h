@@ -10,15 +10,15 @@
  * complete vertices and faces, so each is also the index of the one being read. */
 typedef struct Reader {
 	const char *p, *end;    /* the remaining bytes */
-	long   line;            /* of p, from 1 */
+	long   line;            /* the line of p, counted from 1 */
 	int    hash;            /* # begins a comment */
 	int    read_uv;          /* read MESH_UV and s->T */
 	double *uv;             /* the values of MESH_UV, once uv_start made it */
-	double (*offset)[4];    /* of MESH_OFFSET; noffset of them were read */
+	double (*offset)[4];    /* the values for MESH_OFFSET; noffset of them were read */
 	size_t noffset, capoffset;
 	Soup  *s;
-	size_t ni;              /* corners, including those of the unfinished face */
-	size_t capv, capf, capi;
+	size_t ni;              /* corners read, including those of the unfinished face */
+	size_t capv, capf, capi;        /* the allocated lengths of xyz/3, first and idx */
 } Reader;
 
 typedef struct Token {
@@ -28,7 +28,8 @@ typedef struct Token {
 
 enum { SCAN_SHOW = 40 };
 
-/* Read the next word; scan_word only on the current line.  Return 1, or 0 if there is none. */
+/* scan_token reads the next word of the file, scan_word the next word on the current line.  Both
+ * return 1, or 0 if there is none. */
 int scan_token(Reader *r, Token *t);
 int scan_word(Reader *r, Token *t);
 void scan_skipline(Reader *r);
@@ -36,11 +37,12 @@ void scan_skipline(Reader *r);
 /* Whether t is that word, in upper or lower case. */
 int scan_is(Token t, const char *word);
 
-/* The value of t.  Returns 1, or 0 if t is no decimal number; nan, inf and numbers beyond a double
- * are accepted here.  scan_int: 0 also if it exceeds a long long.
+/* Set *x or *i to the value of t.  Both return 1, or 0 if t is no decimal number.  scan_number also
+ * accepts nan, inf and numbers too large for a double, and sets *x to an infinity.  scan_int returns
+ * 0 also for numbers too large for a long long.
  *
- * strtod depends on LC_NUMERIC; no program calls setlocale, so it stays the C locale.  In another
- * locale a decimal point would be refused, never misread. */
+ * strtod depends on LC_NUMERIC.  No program calls setlocale, so the locale is always C.  In another
+ * locale a number with a decimal point would be refused, never misread. */
 int scan_number(Token t, double *x);
 int scan_int(Token t, long long *i);
 
@@ -61,9 +63,10 @@ int soup_face(Reader *r);
 /* Frees the memory for faces and corners that was reserved but not used. */
 void soup_trim(Reader *r);
 
-/* soup_check_count checks the number of records in a header; the remaining bytes have room for
- * `room` records.  Returns 0 or MESH_EFORMAT.  soup_truncated returns MESH_EFORMAT with the message
- * that the file ends in record i. */
+/* soup_check_count checks that `count`, the number of records that a header announces, is at most
+ * `room`, the number that the remaining bytes can hold.  Returns 0 or MESH_EFORMAT.  soup_truncated
+ * returns MESH_EFORMAT with the message that the file ends in record i.  `what` names the records in
+ * messages. */
 int soup_check_count(Reader *r, const char *what, long long count, size_t room);
 int soup_truncated(Reader *r, const char *what, long long i, long long count);
 
@@ -79,12 +82,13 @@ int offset_append(Reader *r, const double x[4]);
  * MESH_ENOMEM. */
 int uv_start(Reader *r, size_t nv);
 
-/* Check that every (u,v) and every offset is finite, and make the channel MESH_OFFSET if there is
- * an offset for each vertex.  0, MESH_ENOMEM, MESH_EFORMAT or MESH_EVALUE. */
+/* Check that every (u,v) and every offset is finite, and that every vertex has an offset or none
+ * has.  Make the channel MESH_OFFSET if there are offsets.  Returns 0, MESH_ENOMEM, MESH_EFORMAT or
+ * MESH_EVALUE. */
 int uv_check(Reader *r);
 
 /* The beginning of a file, to recognise its format: its first n bytes, its first word after
- * comments, and bounds on its size, both n if all of it is here. */
+ * comments, and its least and most size in bytes.  Both sizes are n if the whole file is at p. */
 typedef struct MeshStart {
 	const char *p;
 	size_t n, least, most;
@@ -95,8 +99,8 @@ typedef struct MeshStart {
  * likely ones, the first in the table. */
 enum { MESHSTART_NO, MESHSTART_MAYBE, MESHSTART_LIKELY, MESHSTART_SURE };
 
-/* For each format: x_recognise returns one of these; x_read reads the file into r->s.  Both begin
- * after a byte order mark. */
+/* For each format: x_recognise returns a MESHSTART value; x_read reads the file into r->s.  Both
+ * are given the file without its byte order mark. */
 int off_recognise(const MeshStart *m);
 int off_read(Reader *r);
 int obj_recognise(const MeshStart *m);

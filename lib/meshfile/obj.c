@@ -119,8 +119,9 @@ index_from_0(Reader *r, Token a, int n, const char *things, long long *i)
 	return 0;
 }
 
-/* Stores index b, counted from 0, of the corner a/b or a/b/c that is being read, or -1 if it has no
- * b.  slash points to its first slash, or is NULL if there is none; end points behind the corner. */
+/* Stores in o->of the index b, counted from 0, of the corner a/b or a/b/c that is being read, or -1
+ * if the corner has no b.  slash points to the first slash of the corner, or is NULL if there is
+ * none; end points behind the corner. */
 static int
 cornertexture(Obj *o, const char *slash, const char *end)
 {
@@ -176,7 +177,7 @@ face(Obj *o)
 	return soup_face(o->r);
 }
 
-/* Sets the (u,v) of vertex v from corner c of face f; all corners must agree. */
+/* Sets the (u,v) of vertex v from corner c of face f.  All corners at v must have the same (u,v). */
 static int
 assign_uv(Obj *o, int f, int c, int v)
 {

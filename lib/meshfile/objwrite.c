@@ -36,7 +36,7 @@ obj_write(Text *t, const Soup *s)
 	e = text_lines(t, s->xyz, s->nv, 3, "v ");
 	if (!e && uv)
 		e = text_lines(t, uv, s->nv, 2, "vt ");
-	if (!e && offset)               /* in comments: no other program reads them as a colour or a normal */
+	if (!e && offset)               /* as comments: others may take numbers for a colour */
 		e = text_lines(t, offset, s->nv, 4, "# lhgrid offset ");
 	for (f = 0; !e && f < s->nf; f++)
 		e = objface(t, s, f, uv != NULL);

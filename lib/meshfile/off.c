@@ -5,13 +5,14 @@
 
 typedef struct Off {
 	Reader *r;
-	int  extra;             /* numbers after x y z at every vertex, by the keyword (binary) */
-	int  width;             /* the same, as counted at vertex 0 (ASCII) */
+	int  extra;             /* numbers after x y z at every vertex, by the keyword: for binary */
+	int  width;             /* the same number, as counted at vertex 0: for ASCII */
 	int  big, colours;      /* binary: big-endian; each face ends with a count of colours */
 	long long nv, nf;
 } Off;
 
-/* [ST][C][N]OFF: texture, colour and normal add 2, 4 and 3 numbers to a vertex. */
+/* Whether t is [ST][C][N]OFF: texture, colour and normal add 2, 4 and 3 numbers to a vertex.  *extra
+ * is their sum, or -1 if the keyword announces other dimensions than three (4 or n). */
 static int
 keyword(Token t, int *extra)
 {
@@ -183,7 +184,7 @@ binface(Off *o)
 	n = scan_left(r) >= 4 ? word4(o, r->p) : 0;
 	if (scan_left(r) < 4 || (size_t)n > scan_left(r)/4 - 1)
 		return soup_truncated(r, "face", r->s->nf, o->nf);
-	if (n == 0)             /* probably the count of colours of a truncated file */
+	if (n == 0)             /* in a truncated file, this may be the last face's count of colours */
 		return mesh_fail(r->s->err, MESH_EFORMAT, "face %d of %lld has no corners",
 		    r->s->nf, o->nf);
 	for (k = 0, r->p += 4; k < n; k++, r->p += 4)
@@ -195,8 +196,9 @@ binface(Off *o)
 }
 
 /* Geomview writes big-endian, with a count of colours after each face; pmp-library and others write
- * little-endian without it.  The byte order is that in which the counts fit the size of the file.
- * Faces are read with colours if they then end exactly at the end of the file. */
+ * little-endian without it.  The byte order is big-endian if the counts, read so, fit the size of
+ * the file; otherwise little-endian.  Faces are read with colours if they then end exactly at the
+ * end of the file. */
 static int
 binary(Off *o)
 {

@@ -8,7 +8,7 @@ typedef struct Record {
 	Ply *p;
 	const PlyElem *e;
 	long long i;
-	long long a, b, turn;   /* of a strip: its last two corners, and their count since a restart */
+	long long a, b, turn;   /* of a strip: its last two corners, and how many it has so far */
 	double x[PLY_USES];
 } Record;
 
@@ -144,7 +144,9 @@ record(Record *c)
 	return c->e->kind == PLY_FACE ? soup_face(c->p->r) : 0;
 }
 
-/* Reserves memory for all records that the remaining bytes can contain. */
+/* Checks that the remaining bytes can contain all records of e, and reserves memory for them.  The
+ * number of triangles of strips is not known yet: for strips it reserves memory for as many
+ * triangles as the remaining bytes can contain. */
 static int
 reserve(Ply *p, const PlyElem *e)
 {
@@ -196,7 +198,7 @@ ply_read(Reader *r)
 		for (c.i = 0; c.i < c.e->n; c.i++)
 			if ((e = record(&c)) != 0)
 				return e;
-		if (c.e->kind == PLY_STRIP)     /* free most of the 16 bytes reserved for each byte left */
+		if (c.e->kind == PLY_STRIP)     /* most of what reserve took for strips is not used */
 			soup_trim(r);
 	}
 	if (p.format == PLY_ASCII)

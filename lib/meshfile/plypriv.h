@@ -7,7 +7,8 @@
 enum { PLY_ASCII, PLY_LITTLE, PLY_BIG };
 enum { PLY_OTHER, PLY_VERTEX, PLY_FACE, PLY_STRIP };    /* kinds of elements */
 enum { PLY_SKIP = -1, PLY_CORNERS = 3, PLY_UV = 4, PLY_OFFSET = 10, PLY_USES = 14 };
-                                /* uses: 0 1 2 is x y z; 4 5, 6 7, 8 9 are u v; then offset */
+                                /* values of PlyProp.use: 0 1 2 are x y z; 4 5, 6 7 and 8 9 are u v
+                                 * by their three pairs of names; 10 to 13 are the offset */
 enum { PLY_MAXELEM = 32, PLY_MAXPROP = 256 };
 
 typedef struct PlyType {
@@ -30,7 +31,7 @@ typedef struct PlyElem {
 typedef struct Ply {
 	Reader *r;
 	int format, ne, np;
-	int uv;                 /* which pair of u and v is read, or 0 */
+	int uv;                 /* the use of the u that is read: 4, 6 or 8; 0: none */
 	int offset;             /* offsets are read */
 	PlyElem elem[PLY_MAXELEM];
 	PlyProp prop[PLY_MAXPROP];
@@ -39,8 +40,8 @@ typedef struct Ply {
 /* Read up to the first byte of the data.  Returns 0 or MESH_EFORMAT. */
 int ply_header(Ply *p);
 
-/* The least size of a record of e in bytes.  In ASCII it is two for each value, a digit and a
- * blank; only the last value of a file may have no blank. */
+/* The least size of a record of e in bytes, with all lists empty.  In ASCII a value has at least
+ * two bytes, a digit and a blank; only the last value of a file may have no blank. */
 size_t ply_least(const Ply *p, const PlyElem *e);
 
 #endif

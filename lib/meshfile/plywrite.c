@@ -18,7 +18,7 @@ doubles(Text *t, const double *x, int n)
 	}
 }
 
-/* Size in bytes of the number of corners of each face: 1 or 4. */
+/* The size in bytes, 1 or 4, of the field that holds the number of corners of a face. */
 static int
 countsize(const Soup *s)
 {

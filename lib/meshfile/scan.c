@@ -84,7 +84,8 @@ scan_show(Token t, char buf[SCAN_SHOW])
 	return buf;
 }
 
-/* Reads nan, inf or infinity, with or without a sign. */
+/* Reads nan, inf or infinity, with or without a sign, and sets *x to infinity for all of them:
+ * callers refuse what is not finite. */
 static int
 notfinite(Token t, double *x)
 {
@@ -183,7 +184,7 @@ bytes(const char *p, int n, int big)
 	return w;
 }
 
-/* For common values of n the compiler makes this a single load. */
+/* With n and big constant, the compiler makes a single load of the loop. */
 unsigned long long
 scan_bytes(const char *p, int n, int big)
 {

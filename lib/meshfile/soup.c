@@ -22,7 +22,7 @@ grow(Reader *r, void **a, size_t *cap, size_t n, size_t size)
 	return 0;
 }
 
-/* Each of these three enlarges one array of the soup to n items. */
+/* Each of the next three functions enlarges one array of the soup to n items. */
 static int
 grow_vertices(Reader *r, size_t n)
 {
@@ -53,7 +53,7 @@ grow_corners(Reader *r, size_t n)
 	return e;
 }
 
-/* One item more than asked for: the arrays are allocated even if they stay empty. */
+/* Reserves one item more than asked for, so that the arrays are allocated even if they stay empty. */
 int
 soup_reserve(Reader *r, size_t nv, size_t nf, size_t ni)
 {

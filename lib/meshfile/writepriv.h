@@ -13,7 +13,7 @@ typedef struct Text {
 	size_t n, cap;
 } Text;
 
-enum { TEXT_MAX = 400 };        /* bytes; more than are appended after one text_room */
+enum { TEXT_MAX = 400 };        /* bytes; fewer are appended after each call of text_room */
 
 /* Make room for TEXT_MAX bytes, to be called before they are appended.  Returns 1, or 0 if memory
  * runs out. */
@@ -28,8 +28,8 @@ void text_int(Text *t, int i);
  * MESH_ENOMEM. */
 int text_lines(Text *t, const double *x, int nv, int n, const char *before);
 
-/* If s has (u,v) and T, append `before`, which begins a comment in the format, and "lhgrid T
- * 0.91". */
+/* If s has (u,v) and T, append the comment line "lhgrid T 0.91".  `before` is what begins a comment
+ * in the format. */
 void text_modulus(Text *t, const Soup *s, const char *before);
 
 /* Sets *v to the corners of face f and returns their number.  s->first may be NULL if all faces are
