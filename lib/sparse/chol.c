@@ -87,10 +87,10 @@ store_nodes(Chol *c, const Node *node, int nodes)
 	return 0;
 }
 
-/* Finds the rows below each node, in ascending order.  For each entry of the matrix in row p, p is
- * added to the node of the entry's column and to the ancestors of that node, up to the node of p,
- * excluded.  mark and node are [n] scratch: the last row added to a node, and the node of each
- * column.  end[s] is where the rows of node s end so far. */
+/* Finds the rows below each node, in ascending order.  An entry of the matrix in row p adds row p
+ * to the node of its column and to the ancestors of that node, up to but without the node of p.
+ * Scratch: mark[s], the last row added to node s; node[p], the node of column p; end[s], where the
+ * rows of node s end so far. */
 static void
 find_rows(Chol *c, const Etree *t, int *mark, int *node, size_t *end)
 {

@@ -2,7 +2,7 @@
  * of elimination.
  *
  * For a torus patch of 1 M vertices, in the order of order.h, the factor has 49 M entries and takes
- * 19e9 floating-point operations; 66 M numbers are stored, with zeros and padding. */
+ * 19e9 floating-point operations; with explicit zeros and padding 66 M numbers are stored. */
 #ifndef CHOL_H
 #define CHOL_H
 
@@ -16,9 +16,9 @@ enum {
 };
 
 /* The structure of the factor, which depends on the graph and the order only, and memory for its
- * numbers.  Columns are in postorder; neighbouring ones with nearly the same rows form a node.
- * Node s has the columns first[s] .. first[s+1]-1, and below them the rows row[below[s]] ..
- * row[below[s+1]-1], in ascending order. */
+ * numbers.  Columns are in postorder.  Neighbouring columns with nearly the same rows form a node
+ * (a supernode).  Node s has the columns first[s] .. first[s+1]-1, and below them the rows
+ * row[below[s]] .. row[below[s+1]-1], in ascending order. */
 typedef struct Chol {
 	const Graph *g;
 	int     n, nodes;
@@ -27,14 +27,15 @@ typedef struct Chol {
 	int    *parent;         /* [nodes] node of the first row below, -1 if none */
 	size_t *below;          /* [nodes+1] */
 	int    *row;
-	size_t *at;             /* [nodes+1] where the node's panel begins in value */
+	size_t *at;             /* [nodes+1] where the panel (front.h) of a node begins in value */
 	double *value;
 } Chol;
 
 /* order   in   [g->n] a fill-reducing order, order[0] eliminated first
  *
  * g must live as long as c.  Returns 0 or CHOL_ENOMEM; c must be freed in both cases.
- * chol_bytes(c) is the size of the factor in bytes, 0 if it has not been computed. */
+ * chol_bytes(c) is the size of the factor in bytes.  It is known even if memory for the factor ran
+ * out; it is 0 if chol_init failed before that. */
 int  chol_init(Chol *c, const Graph *g, const int *order);
 void chol_free(Chol *c);
 
@@ -50,8 +51,8 @@ typedef struct CholMatrix {
 } CholMatrix;
 
 /* Solves A x = b; x holds b on entry.  The result has the same bits for any number of threads.
- * Returns 0, CHOL_ENOMEM, or CHOL_EINDEFINITE: A is not positive definite, *at is the first vertex,
- * in the order of elimination, whose pivot is not positive. */
+ * Returns 0; CHOL_ENOMEM; or CHOL_EINDEFINITE if A is not positive definite.  In that case *at is
+ * the first vertex, in the order of elimination, whose pivot is not positive. */
 int  chol_solve(Chol *c, const CholMatrix *a, double *x, int *at);
 
 #endif

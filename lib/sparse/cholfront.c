@@ -14,7 +14,7 @@ chol_front(const Chol *c, int s)
 	return f;
 }
 
-/* The index of row p of the factor in the list row[n], which contains it. */
+/* The index of row p of the factor in the ascending list row[n], which contains p. */
 static int
 find_row(const int *row, int n, int p)
 {
@@ -80,7 +80,8 @@ chol_fill_panel(const Chol *c, const CholMatrix *a, const double *b, int s, cons
 }
 
 /* Maps the rows of a child's update to those of its parent s, whose front is f.  Row i goes to the
- * row of column to[i] of the parent or, if to[i] < 0, to row -1 - to[i] below its columns. */
+ * row of column to[i] of the parent or, if to[i] < 0, to row -1 - to[i] below its columns.  The
+ * right-hand side, the last row of the child, goes to the last row of the parent. */
 static void
 map_rows(const Chol *c, int child, int s, const Front *f, int *to)
 {

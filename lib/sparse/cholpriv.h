@@ -1,6 +1,7 @@
-/* cholpriv.h - the front of one node of chol.h: assembly and back substitution.  Private to lib/.
+/* cholpriv.h - the front (front.h) of one node of chol.h: assembly and back substitution.  Private
+ * to lib/.
  *
- * The right-hand side is the last row of every front: its part of the panel becomes L^-1 b.
+ * The last row of every front is the right-hand side b, so that front_factor turns it into L^-1 b.
  */
 #ifndef CHOLPRIV_H
 #define CHOLPRIV_H

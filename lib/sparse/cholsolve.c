@@ -26,7 +26,7 @@ typedef struct Run {
 	int              *pending;      /* [nodes] children not yet done; -1 in a subtree */
 	int              *root;         /* [roots] of the subtrees, whose nodes are begin[root] .. root */
 	int              *begin;        /* [nodes] the first node of the subtree of each node */
-	int               roots, nomemory, bad;
+	int               roots, nomemory, bad; /* bad: first column with a bad pivot, or INT_MAX */
 } Run;
 
 static int
@@ -97,7 +97,7 @@ factor(Run *r)
 }
 
 /* Back substitution: first at the nodes above the subtrees, from the top down, then in the
- * subtrees.  Each thread has its own sum. */
+ * subtrees.  Each thread has its own scratch `sum`. */
 static int
 substitute_all(const Run *r, double *z)
 {

@@ -2,8 +2,8 @@
  * to the first column already visited in this row.
  *
  * T. A. Davis, Direct Methods for Sparse Linear Systems (2006), chapter 4.  Every entry of L is
- * visited once.  It would suffice to visit the skeleton matrix, but that needs three times as much
- * code, and this takes only a tenth of the time of the factorization.
+ * visited once.  To visit the skeleton matrix would suffice, but needs three times as much code.  To
+ * visit all entries takes only a tenth of the time of the factorization.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -75,9 +75,10 @@ find_parents(Etree *t)
 }
 
 /* Sets to[p] to the place of column p in a postorder in which the child with the longest column
- * comes directly before its parent.  The others are scratch, [n+1], with a common root of all trees
- * as column n: longest[p] is the child with the longest column, size[p] is the number of columns in
- * the subtree of p, and end[p] is where the subtree of the next of the other children of p ends. */
+ * comes directly before its parent.  All arrays are [n+1]: column n is added as a common root of all
+ * trees.  Scratch: longest[p], the child of p with the longest column; size[p], the number of
+ * columns in the subtree of p; end[p], where the subtree of the next of the other children of p
+ * ends. */
 static void
 postorder(const Etree *t, int *to, int *longest, int *size, int *end)
 {

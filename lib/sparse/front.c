@@ -5,8 +5,8 @@
 
 enum {
 	GROUP = 8,              /* tile columns that are eliminated together */
-	LARGE = 40,             /* number of row blocks from which tasks are used */
-	GRAIN = 8               /* row blocks in a task, an even number */
+	LARGE = 40,             /* tasks are used for at least this many row blocks */
+	GRAIN = 8               /* row blocks in a task; even, because they are taken in pairs */
 };
 
 /* Columns of the tiles in tile column J: eight, or fewer at the end of the panel. */

@@ -4,8 +4,9 @@
  * groups of rows start with a new row block (product.h); their last row blocks are filled up with
  * 0.
  *
- *   panel    the eliminated columns; row block I holds those up to its last row
- *   update   the lower right part; row block A of it holds the columns 0 .. 8*A+7
+ *   panel    the eliminated columns, all rows; row block I holds the columns 0 .. 8*I+7, or all
+ *            columns if there are fewer
+ *   update   the other columns, rows below; row block A holds the columns 0 .. 8*A+7
  *
  * Only the lower triangle is used; entries above the diagonal have no meaning.
  */
@@ -53,8 +54,8 @@ front_size(Front *f)
 }
 
 /* Factors the panel in place, panel = L, and subtracts L L' from the update.  Large fronts use
- * OpenMP tasks if there is a team of threads; the bits are the same without.  Returns -1, or the
- * first column whose pivot is not positive; the front is then unspecified. */
+ * OpenMP tasks if there is a team of threads; the bits are the same without.  Returns -1 on success.
+ * Otherwise returns the first column whose pivot is not positive, and the front is unspecified. */
 int front_factor(const Front *f);
 
 #endif

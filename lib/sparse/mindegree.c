@@ -3,7 +3,7 @@
 
 #include "mindegree.h"
 
-/* The pattern above the diagonal. */
+/* The pattern of the matrix of g above the diagonal. */
 static cholmod_sparse *
 pattern(const Graph *g, cholmod_common *c)
 {

@@ -1,7 +1,8 @@
 /* order.c - nested dissection of the graph of a surface; split.c chooses the separators.
  *
- * Measured on a torus patch, on two cores that had other work too: seconds of ordering (this
- * code on two threads) + of numeric factorization by CHOLMOD, M entries of the factor, gigaflops:
+ * Measured on a torus patch, on two cores that had other work, too.  Each entry has the seconds for
+ * the order (this code on two threads) + for the numeric factorization by CHOLMOD, the entries of
+ * the factor in millions, and the floating-point operations in 10^9:
  *
  *   vertices   AMD                    METIS (cholmod_metis)   this
  *   20 k       .01 + .04   .6  .06    .11 + .04   .6  .04     .04 + .03   .6  .05
@@ -32,8 +33,9 @@ degree(const Graph *g, int i)
 }
 
 /* Orders a small piece by minimum degree, with bit sets.  near[i] is the set of the remaining
- * neighbours of i in the piece, outer[i] the number of its neighbours outside the piece, and
- * cost[i] the number of both. */
+ * neighbours of i in the piece.  outer[i] estimates the number of its neighbours outside the piece:
+ * when a vertex is eliminated, its neighbours get at least its number.  cost[i] is the number of
+ * neighbours of both kinds. */
 static void
 order_leaf(const Piece *p, const Graph *whole)
 {
@@ -116,7 +118,8 @@ order_whole(const Piece *p)
 	return 0;
 }
 
-/* Makes the halves of p, with the separator at the end of its order.  count, work: of split(). */
+/* Makes the halves of p, and puts the separator at the end of its order.  count comes from split();
+ * work is scratch, [n]. */
 static int
 extract_halves(const Piece *p, const signed char *side, const int count[3], int *work, Piece half[2])
 {

@@ -1,8 +1,8 @@
 /* order.h - a fill-reducing order of the vertices of a triangulated surface.
  *
- * Nested dissection: a small set of vertices whose removal splits the graph in two comes last, and
- * before it the two parts, each ordered the same way.  A part without a small separator is ordered
- * by minimum degree. / */
+ * Nested dissection: a separator, a small set of vertices whose removal splits the graph in two,
+ * comes last.  Before it come the two parts, each ordered the same way.  A part without a small
+ * separator is ordered by minimum degree. */
 #ifndef ORDER_H
 #define ORDER_H
 

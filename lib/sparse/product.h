@@ -16,8 +16,8 @@ enum {
 void product_subtract(int blocks, int columns, int n, const double *const a[], const double *b,
 	double *const c[]);
 
-/* x = x L'^-1 for a row block x; L is the lower triangle of a row block.  Both have columns <=
- * 8. */
+/* x = x L'^-1 for a row block x; L is the lower triangle of a row block.  `columns`, at most 8, is
+ * the number of columns of both. */
 void product_divide(int columns, const double *L, double *x);
 
 #endif

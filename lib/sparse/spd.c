@@ -147,9 +147,10 @@ openblas(void)
 	return b;
 }
 
-/* The settings that are restored after CHOLMOD has run on one thread.  With more, the BLAS would
- * not give equal bits, and CHOLMOD's own loops over blocks would be slower, as their four threads
- * mostly wait (factor of 1 M vertices, METIS order, 2 cores: 5.3 s with them, 2.6 s without). */
+/* The settings that are restored after CHOLMOD has run on one thread.  With more threads, the BLAS
+ * would not give equal bits, and CHOLMOD's own loops over blocks would be slower, as their four
+ * threads mostly wait (factor of 1 M vertices, METIS order, 2 cores: 5.3 s with four threads, 2.6 s
+ * with one). */
 typedef struct Threads {
 	Blas openblas;
 	int  blas, levels;

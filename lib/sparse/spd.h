@@ -6,7 +6,7 @@
 
 enum {
 	SPD_ENOMEM = -1,        /* report.bytes is the size of the factor */
-	SPD_EINDEFINITE = -2,   /* not positive definite; report.column is the first bad pivot */
+	SPD_EINDEFINITE = -2,   /* not positive definite; report.column has the first bad pivot */
 	SPD_ELARGE = -3         /* more entries than an int, as CHOLMOD uses it, can count */
 };
 
@@ -38,23 +38,24 @@ spd_add(Spd *a, int i, int j, double x)
 }
 
 /* Solves a X = B for nrhs right-hand sides; X replaces B, stored [nrhs][n].  order is a
- * fill-reducing order (order[0] eliminated first), or NULL for AMD's.  a is freed as early as
- * possible, also on failure.  Equal input gives equal bits: the BLAS runs on one thread.  report
- * may be NULL.  A solution that is not finite counts as SPD_EINDEFINITE. */
+ * fill-reducing order (order[0] eliminated first), or NULL for the order that AMD finds.  a is freed
+ * as early as possible, also on failure.  Equal input gives equal bits: the BLAS runs on one thread.
+ * report may be NULL.  Returns 0, SPD_ENOMEM, SPD_ELARGE or SPD_EINDEFINITE, the last also for a
+ * solution that is not finite. */
 int spd_solve(Spd *a, const int *order, int nrhs, double *B, SpdReport *report);
 
 /* A factor that is kept: the pattern of the matrix is fixed, its numbers change, and each matrix is
  * solved with many right-hand sides. */
 typedef struct SpdFactor SpdFactor;
 
-/* n, column, row describe the lower triangle in compressed columns: those of column j are
- * row[column[j]] .. row[column[j+1]-1], in rising order, the diagonal first.  The arrays must live
- * as long as the factor.  Returns NULL if memory runs out. */
+/* n, column and row describe the lower triangle in compressed columns: the rows of column j are
+ * row[column[j]] .. row[column[j+1]-1], in ascending order, the diagonal first.  The arrays must
+ * live as long as the factor.  Returns NULL if memory runs out or the factor is too large. */
 SpdFactor *spd_factor_new(int n, int *column, int *row);
 void       spd_factor_free(SpdFactor *f);
 
-/* Factors the matrix with the given numbers, in the order of row.  Returns 0, SPD_ENOMEM,
- * SPD_ELARGE or SPD_EINDEFINITE; after a failure f may be set again, but not solved with. */
+/* Factors the matrix whose entry in row row[k] is value[k].  Returns 0, SPD_ENOMEM, SPD_ELARGE or
+ * SPD_EINDEFINITE.  After a failure spd_factor_set may be called again, spd_factor_solve may not. */
 int spd_factor_set(SpdFactor *f, double *value);
 
 /* b = A^-1 b.  Returns 0 or SPD_ENOMEM.  Equal bits for equal input, as above. */

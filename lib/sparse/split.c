@@ -65,8 +65,8 @@ components(const Graph *g, int *dist, int *queue, int *last)
 	return tail;
 }
 
-/* f[2*i] = dist(i, a) - dist(i, b), where b is a vertex farthest from a; sum[i], if not NULL, is
- * the sum of the two.  work is [2*n].  g is connected. */
+/* f[2*i] = dist(i, a) - dist(i, b), where b is a vertex farthest from a.  sum[i] is the sum of the
+ * two distances; sum may be NULL.  work is [2*n].  g is connected. */
 static void
 coordinate(const Graph *g, int a, int *f, int *sum, int *work)
 {
@@ -109,9 +109,9 @@ value(const Piece *p, int i, int which)
 	return factor[which][0]*p->f[2*i] + factor[which][1]*p->f[2*i+1];
 }
 
-/* The median of a value over every stride-th vertex; count is [4*n].  In a piece that was connected
- * only through vertices removed since, values may differ by more than 4*n; the result is then
- * approximate. */
+/* The median of value(p, i, which) over every stride-th vertex i; count is [4*n+1].  The result is
+ * approximate if the values differ by more than 4*n, as they may in a piece that was connected only
+ * through vertices removed since. */
 static int
 median(const Piece *p, int which, int stride, int *count)
 {
@@ -182,9 +182,9 @@ count_sides(const signed char *side, int n, int count[3])
 		count[(int)side[i]]++;
 }
 
-/* Makes a separator of the hubs, and one side of all other vertices.  Shortest paths lead through
- * a hub, so that f1 and f2 are constant on large parts beside it.  Returns 0 if there is no hub,
- * or if there are too many. */
+/* Takes the hubs as the separator, and all other vertices as the left side; the right side is empty.
+ * With hubs, f1 and f2 would be constant on large parts, because shortest paths lead through a hub.
+ * Returns 0 if there is no hub, or if there are too many. */
 static int
 split_off_hubs(const Graph *g, signed char *side, int count[3])
 {
@@ -197,8 +197,8 @@ split_off_hubs(const Graph *g, signed char *side, int count[3])
 	return count[CUT_SEPARATOR] > 0 && count[CUT_SEPARATOR] <= sqrt(g->n);
 }
 
-/* Makes sides of whole components, without a separator.  If there is one component, returns 0, and
- * *far is a vertex far from vertex 0. */
+/* If the graph has several components, puts whole components on each side, without a separator, and
+ * returns 1.  If it has one, returns 0, and *far is a vertex far from vertex 0. */
 static int
 split_components(const Graph *g, signed char *side, int count[3], int *far, int *work)
 {
@@ -215,7 +215,8 @@ split_components(const Graph *g, signed char *side, int count[3], int *far, int 
 	return 1;
 }
 
-/* Splits at a level of the present coordinates. */
+/* Splits at a level of the present coordinates.  Returns 0 if the separator is not small, or if a
+ * side has less than an eighth of the vertices. */
 static int
 split_by_coordinates(const Piece *p, signed char *side, int count[3], int *work)
 {

@@ -5,9 +5,9 @@
 
 #include "order.h"
 
-/* name[i] is the number of vertex i in the whole graph; the order of the piece, n such numbers, is
- * written to `order`.  f[2*i], f[2*i+1] are the coordinates f1 and f2, computed anew if n <=
- * again. */
+/* A piece of the graph that is being ordered.  name[i] is the number of vertex i in the whole graph.
+ * The order of the piece, n such numbers, is written to `order`.  f[2*i], f[2*i+1] are the
+ * coordinates f1 and f2 (split.c) of vertex i; they are computed anew if n <= again. */
 typedef struct Piece {
 	Graph g;
 	int  *name, *order, *f;

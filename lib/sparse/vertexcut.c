@@ -7,10 +7,11 @@
  * find all paths. */
 #include "vertexcut.h"
 
-/* In next and prev: not on a path, end of the path.  In parent: not visited, start of a search. */
+/* In next and prev, NONE: not on a path; END: end of the path.  In parent, NONE: not visited; END:
+ * start of a search. */
 enum { NONE = -1, END = -2 };
 
-/* During the search, side[v] of a band vertex has these flags: which sides it touches. */
+/* During the search, side[v] of a band vertex is BAND plus a flag for each side that it touches. */
 enum { BAND = CUT_SEPARATOR, AT_LEFT = 4, AT_RIGHT = 8 };
 
 typedef struct Cut {
@@ -19,7 +20,7 @@ typedef struct Cut {
 	int *next, *prev;       /* [n] on the path through the vertex: a vertex, NONE, or END */
 	int *edge;              /* [n] the next edge of out(v) to look at */
 	int *parent;            /* [2n] of the search */
-	int *band, n;
+	int *band, n;           /* the n vertices of the band */
 } Cut;
 
 static void
