@@ -68,8 +68,8 @@ planelaplace_init(PlaneLaplace *p, Chart g, int axis)
 
 /* Let the columns of B be the eigenvectors, products of sines and cosines.  They are orthogonal
  * with the weights W, which are 1/2 at free ends and 1 elsewhere.  Then P = W B Lambda B^-1, and z
- * = B Lambda^-1 B' r up to a norm.  FFTW's transforms double all terms except those at free ends,
- * so these terms of r are first halved in each direction. */
+ * = B Lambda^-1 B' r up to a norm.  FFTW's transforms double every term except those at free ends.
+ * To undo this, r is divided by 4, and multiplied by 2 at free ends. */
 void
 planelaplace_solve(const PlaneLaplace *p, const double *r, double *z)
 {

@@ -16,14 +16,14 @@ enum { PLANELAPLACE_ENOMEM = -1 };
 
 typedef struct PlaneLaplace {
 	Chart     g;
-	int       axis;                 /* 0: held at 0 at i = 0 and nu-1; 1: at j = 0, nv-1 */
+	int       axis;                 /* the held nodes: 0: i = 0 and nu-1; 1: j = 0 and nv-1 */
 	int       i0, j0, n[2];         /* the free nodes: n[0] from i0 along u, n[1] from j0 */
 	double   *work;                 /* [n[1]][n[0]] */
 	double   *stiff[2], *mass[2];   /* [n[axis]] eigenvalues of the 1D matrices */
 	fftw_plan plan;
 } PlaneLaplace;
 
-/* Returns 0 or PLANELAPLACE_ENOMEM; p then holds nothing to free. */
+/* Returns 0, or PLANELAPLACE_ENOMEM with nothing in p to free. */
 int  planelaplace_init(PlaneLaplace *p, Chart g, int axis);
 void planelaplace_free(PlaneLaplace *p);
 

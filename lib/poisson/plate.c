@@ -48,8 +48,8 @@ plate_free(Plate *p)
 	memset(p, 0, sizeof *p);
 }
 
-/* The workspace of a thread has WIDTH columns, then the workspace of a transform.  Both sizes, in
- * numbers, are rounded up to whole cache lines. */
+/* The workspace of a thread has WIDTH columns, then the workspace of a transform.  The sizes of
+ * both, counted in doubles, are rounded up to whole cache lines. */
 static size_t
 columns_room(const Plate *p)
 {

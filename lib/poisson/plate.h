@@ -28,12 +28,12 @@ typedef struct Plate {
 	double   *work;                 /* the workspaces of all threads */
 } Plate;
 
-/* g has at least 3 nodes in each direction.  Returns 0 or PLATE_ENOMEM; p then holds
- * nothing to free. */
+/* g has at least 3 nodes in each direction.  Returns 0, or PLATE_ENOMEM with nothing in p to
+ * free. */
 int  plate_init(Plate *p, Chart g, int free);
 void plate_free(Plate *p);
 
-/* z = P^-1 z in place, for three fields z[3][nv][nu]; on a held border they must be 0 and remain 0.
+/* z = P^-1 z in place, for three fields z[3][nv][nu].  On a held border z must be 0, and remains 0.
  * The cost is six sine (cosine) transforms: one vector Poisson solve, the unit in which the cost of
  * a reconstruction is counted.  The result has the same bits for any number of threads. */
 void plate_solve(const Plate *p, double a, double b, double *z);

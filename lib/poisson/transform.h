@@ -25,18 +25,18 @@ typedef struct Transform {
 	fftw_plan  plan;
 } Transform;
 
-/* Returns 0 or TRANSFORM_ENOMEM; t then holds nothing to free. */
+/* Returns 0, or TRANSFORM_ENOMEM with nothing in t to free. */
 int  transform_init(Transform *t, int N);
 void transform_free(Transform *t);
 
-/* Size of the workspace of a transform, in numbers.  Every thread needs its own, allocated by
- * fftw_alloc_real. */
+/* The size in doubles of the workspace of a transform.  Every thread needs its own workspace,
+ * allocated by fftw_alloc_real. */
 size_t transform_room(const Transform *t);
 
-/* In place: the N - 1 numbers f_1 .. f_{N-1}, N >= 2. */
+/* Transforms f in place: the N - 1 numbers f_1 .. f_{N-1}, with f_1 at f[0].  N >= 2. */
 void transform_sine(const Transform *t, double *f, double *work);
 
-/* In place: the N + 1 numbers f_0 .. f_N. */
+/* Transforms f in place: the N + 1 numbers f_0 .. f_N. */
 void transform_cosine(const Transform *t, double *f, double *work);
 
 #endif
