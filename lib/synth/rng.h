@@ -1,5 +1,5 @@
-/* rng.h - small seeded random numbers (splitmix64, Steele, Lea and Flood 2014): the same
- * everywhere, unlike rand(). */
+/* rng.h - random numbers from a seed (splitmix64, Steele, Lea and Flood 2014).  Unlike those of
+ * rand(), they are the same on every machine. */
 #ifndef RNG_H
 #define RNG_H
 

@@ -6,7 +6,7 @@
 #include "rng.h"
 #include "scatter.h"
 
-/* On a plain square, the largest empty circle is 1.39 times the least distance with 7
+/* On a plain square, the radius of the largest empty circle is 1.39 times the least distance with 7
  * tries, 1.08 with 11, 1.07 with 20. */
 enum { TRIES = 11 };
 
@@ -37,7 +37,8 @@ scatter_add(Points *p, double x, double y)
 	return 0;
 }
 
-/* Cells of side rmin/2: points rmin/sqrt(2) apart never share one. */
+/* Makes cells of side rmin/2.  Their diagonal is rmin/sqrt(2), so points farther apart than that
+ * never share a cell. */
 static int
 cells_make(Cells *c, const ScatterRule *rule)
 {
@@ -97,8 +98,8 @@ cells_free(const Cells *c, const Points *p, double x, double y, double r)
 	return 1;
 }
 
-/* The length of a step from (x,y) along (cx,cy): at least the least distance at its end, if
- * that distance grows slowly. */
+/* The length of a step from (x,y) along the unit vector (cx,cy).  It is at least the least distance
+ * at the end of the step, if that distance grows slowly. */
 static double
 stride(const ScatterRule *rule, double x, double y, double cx, double cy)
 {

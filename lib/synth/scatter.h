@@ -10,7 +10,7 @@ typedef struct ScatterRule {
 	double x0, x1, y0, y1;          /* a box around the domain */
 	double rmin;                    /* the smallest value of dist, or a little less; > 0 */
 	double (*dist)(const void *data, double x, double y);   /* least distance of a point
-	                                 * at (x,y) from all before it */
+	                                 * at (x,y) from all earlier points */
 	int  (*inside)(const void *data, double x, double y);
 	const void *data;
 } ScatterRule;
@@ -20,12 +20,13 @@ typedef struct Points {
 	double *xy;             /* [max][2], malloc'd; the first n are set */
 } Points;
 
-/* Grow points from those in p (the boundary of the domain) until none fits, by throwing
- * darts around each point, the oldest first (after Bridson 2007; all tries at about the
- * least distance, as Roberts proposed, pack more evenly than a random annulus).  Linear
- * in the number of points if dist varies slowly; memory grows with (dist/rmin)^2.
+/* Fills the domain with points.  p has the points of the boundary, and the new points are
+ * appended.  Around each point, the oldest first, darts are thrown (after Bridson 2007).  All darts
+ * land at about the least distance, as Roberts proposed, which packs more evenly than random places
+ * in an annulus.  The time is linear in the number of points if dist varies slowly; the memory grows
+ * with (dist/rmin)^2.
  *
- * Appends to p and returns 0, or SCATTER_ENOMEM; p remains the caller's to free. */
+ * Returns 0 or SCATTER_ENOMEM; the caller frees p->xy in both cases. */
 int scatter(const ScatterRule *rule, uint64_t seed, Points *p);
 
 /* Append one point.  Returns 0 or SCATTER_ENOMEM. */

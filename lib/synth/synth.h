@@ -28,11 +28,11 @@ enum { SYNTH_MAXPAR = 6 };
 
 /* Shapes of D; its corners, counterclockwise, are vertices 0 1 2 3 of every mesh. */
 enum {
-	SYNTH_RECT,     /* [x0,x1] x [y0,y1]; the corners from (x0,y0) */
-	SYNTH_OVAL,     /* the ellipse in that box; the corners (a cos t, b sin t) from its
-	                 * middle, t = -135, -45, 45, 135 degrees */
-	SYNTH_LSHAPE    /* the box without its upper right quarter; (x0,y0), (x1,y0), the
-	                 * middle, (x0,y1) */
+	SYNTH_RECT,     /* the box [x0,x1] x [y0,y1]; vertex 0 is (x0,y0) */
+	SYNTH_OVAL,     /* the ellipse in that box, with half axes a and b; the corners are
+	                 * (a cos t, b sin t) from its centre, t = -135, -45, 45, 135 degrees */
+	SYNTH_LSHAPE    /* the box without its upper right quarter; the corners are (x0,y0),
+	                 * (x1,y0), the middle of the box and (x0,y1) */
 };
 
 typedef struct SynthDomain {
@@ -81,12 +81,12 @@ int synth_domain(const Synth *s, SynthDomain *d);
 /* Whether (x,y) lies in D, its boundary included. */
 int synth_inside(const SynthDomain *d, double x, double y);
 
-/* A triangulated disk with about n vertices (within 10 % from n = 50 on), n >= 4: points
- * evenly spaced on the boundary of D and scattered inside it, neither closer than
- * about d/scale, joined by the Delaunay triangulation of D.  Faces are counterclockwise
- * seen against n.
+/* A triangulated disk with about n vertices (within 10 % from n = 50 on), n >= 4.  The vertices are
+ * evenly spaced on the boundary of D and scattered inside it, nowhere closer than about r/scale,
+ * where r is one number for the whole mesh.  The faces are the Delaunay triangulation of D,
+ * counterclockwise seen from the side to which the normal points.
  *
- * seed  another seed gives other points inside, equal seeds equal meshes
+ * seed  another seed gives other points inside, equal seeds give equal meshes
  * xy    out, if not NULL: *xy is malloc'd, the parameters of every vertex, [nv][2]
  *
  * Returns 0, SYNTH_ENOMEM, SYNTH_EDOMAIN or SYNTH_EMESH. */

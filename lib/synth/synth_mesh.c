@@ -51,7 +51,8 @@ plan_inside(const void *data, double x, double y)
 	return synth_inside(&((const Plan *)data)->d, x, y);
 }
 
-/* Number of sides, counterclockwise; corner[k] is the side that begins at corner k. */
+/* The number of sides of the domain, which are counted counterclockwise.  corner[k]: the side that
+ * begins at corner k. */
 static int
 sides(const SynthDomain *d, int corner[4])
 {
@@ -84,7 +85,8 @@ side_at(const SynthDomain *d, int k, double t, double *x, double *y)
 	*y = (1 - v)*d->y0 + v*d->y1;
 }
 
-/* Length of side k on the surface (weighted by scale), from its start to the end of each piece. */
+/* Sets len[i] to the length of the first i pieces of side k on the surface (weighted by scale).
+ * Returns the length of the side. */
 static double
 side_lengths(const Plan *plan, int k, double len[PIECES + 1])
 {
@@ -100,7 +102,7 @@ side_lengths(const Plan *plan, int k, double len[PIECES + 1])
 	return len[PIECES];
 }
 
-/* The points of side k without its ends, evenly spaced. */
+/* Appends the points of side k without its ends, evenly spaced. */
 static int
 side_points(const Plan *plan, int k, Points *p)
 {
@@ -145,7 +147,7 @@ boundary_points(const Plan *plan, Points *p)
 	return 0;
 }
 
-/* Estimates the least distance r between n points.  With area A and perimeter P measured on the
+/* Estimates the least distance r that gives n points.  With area A and perimeter P measured on the
  * surface, n r^2 = PACKING (A - P r/2) + P r/SPACING.  *top: the largest scale. */
 static double
 first_guess(const Plan *plan, int n, double *top)
@@ -186,8 +188,8 @@ scatter_points(Plan *plan, double top, uint64_t seed, Points *p)
 	return scatter(&rule, seed, p) ? SYNTH_ENOMEM : 0;
 }
 
-/* About n points.  Packing and rounding differ from mesh to mesh: while the number of points is too
- * far from n, the distance is corrected and the points are made again. */
+/* Makes about n points.  Packing and rounding differ from mesh to mesh: while the number of points
+ * is too far from n, the distance is corrected and the points are made again. */
 static int
 fit_points(Plan *plan, int n, uint64_t seed, Points *p)
 {

@@ -132,8 +132,8 @@ cortex_domain(const double *p, SynthDomain *d)
 	d->y1 = 0.4*p[0], d->y0 = -d->y1;
 }
 
-/* Waves of about one length in random directions add up to a field f without preferred
- * places; its zero lines wander and join, and along them the sheet is pressed down. */
+/* Waves of about the same length in random directions add up to a field f without preferred
+ * places.  The zero lines of f wander and join, and along them the sheet is pressed down. */
 static void
 cortex_phi(const double *p, double x, double y, double xyz[3])
 {

@@ -29,8 +29,9 @@ spiral_t(double a, double s)
 	return t;
 }
 
-/* The rectangle, turned by the rise, lies in the (s,z) plane of the cylinder: its upper left
- * corner at the start r = r0 of the spiral, its lower right one at the end. */
+/* The strip lies on the cylinder over the spiral, which unrolls to the (s,z) plane.  There the strip
+ * is a rectangle, turned by the rise.  Its upper left corner is at the start r = r0 of the spiral,
+ * its lower right corner at the end. */
 static void
 spiral_place(const double *p, double x, double y, double *s, double *z)
 {
@@ -69,7 +70,7 @@ spiral_lambda(const double *p, double x, double y)
 	return 1;
 }
 
-/* Minus half the curvature of the curve. */
+/* Minus half the curvature of the spiral. */
 static double
 spiral_H(const double *p, double x, double y)
 {
