@@ -91,7 +91,7 @@ lhg_drop(Lhg *g, const char *name)
 	memmove(c, c + 1, (size_t)(&g->chan[g->nchan] - c)*sizeof *c);
 }
 
-/* LHG.md 2.2. */
+/* The order of the nodes is that of LHG.md 2.2. */
 size_t
 lhg_next(const Lhg *g, const LhgChannel *c, size_t p)
 {
@@ -139,8 +139,8 @@ datum(const Lhg *g, const char *key)
 	return NULL;
 }
 
-/* Put n bytes of text in the place of old bytes at offset `at` of *s (NULL: "").  Nothing
- * left is NULL again.  Returns 0 or LHG_ENOMEM; text is not in *s. */
+/* Replaces the `old` bytes at offset `at` of *s by the n bytes of text, which must not be a part of
+ * *s.  An empty *s is NULL, before and after.  Returns 0 or LHG_ENOMEM. */
 static int
 splice(char **s, size_t at, size_t old, const char *text, size_t n)
 {

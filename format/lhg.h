@@ -22,7 +22,7 @@ enum {
 	LHG_EMAGIC = -3,        /* input empty, of another version, or line ends changed */
 	LHG_EHEAD  = -4,        /* header malformed, or its CRC is wrong */
 	LHG_ESHORT = -5,        /* input ends inside a grid, or before the last frame */
-	LHG_EDATA  = -6,        /* wrong CRC or padding of a channel, end mark, or what follows */
+	LHG_EDATA  = -6,        /* wrong CRC or padding of a channel, wrong end mark, bytes after it */
 	LHG_EVALUE = -7,        /* a sample is NaN or infinite */
 	LHG_ELIMIT = -8,        /* a size, count, name or text outside the limits of LHG.md */
 	LHG_EFOREIGN = -10,     /* input is not .lhg at all */
@@ -57,14 +57,15 @@ typedef struct LhgChannel {
 typedef struct Lhg {
 	int        nu, nv;              /* nodes, LHG_MINN .. LHG_MAXN each */
 	double     T;                   /* height of the chart, > 0 */
-	int        frame, frames;       /* this is grid `frame` of `frames`, from 1 */
+	int        frame, frames;       /* this is grid `frame` of `frames`, counted from 1 */
 	int        nchan;
 	LhgChannel chan[LHG_MAXCHAN];
-	char      *meta;                /* "key value\n" for each datum, or NULL */
-	char      *hist;                /* one step "text\n" each, oldest first, or NULL */
+	char      *meta;                /* a line "key value\n" for each datum, or NULL */
+	char      *hist;                /* a line "text\n" for each step, oldest first, or NULL */
 } Lhg;
 
-/* One direction of one stream.  Set up by lhg_open, read the fields only. */
+/* A stream that is read or written.  lhg_open sets it up.  Callers may read the fields, but not
+ * change them. */
 typedef struct LhgStream {
 	FILE     *f;
 	int       frame, frames;        /* of the last grid read or written; 0 0 before the first */
@@ -77,7 +78,7 @@ typedef struct LhgStream {
 /* Start an empty grid: no channels, frame 1 of 1. */
 void lhg_init(Lhg *g, int nu, int nv, double T);
 
-/* Release everything g owns and leave it empty; allowed twice. */
+/* Release everything g owns and leave it empty; may be called twice. */
 void lhg_free(Lhg *g);
 
 /* The number of nodes of a support, or 0 if step does not suit it (0 for
@@ -95,19 +96,19 @@ double *lhg_add(Lhg *g, const char *name, const char *unit, int support, int ste
 /* Remove the channel of that name, if there is one. */
 void lhg_drop(Lhg *g, const char *name);
 
-/* The node j*nu + i of c that comes after node p of it in row order, or nu*nv after the last;
- * the first is node 0 for every support. */
+/* The number j*nu + i of the node of c that follows its node p in row order; nu*nv after the last.
+ * The first node of every support is node 0. */
 size_t lhg_next(const Lhg *g, const LhgChannel *c, size_t p);
 
-/* Copy the samples of c from a field f[nu*nv] on all nodes, or into it (nodes outside the
- * support are not changed). */
+/* lhg_gather sets the samples of c from f[nu*nv], a field on all nodes.  lhg_scatter copies the
+ * samples into such a field; nodes outside the support are not changed. */
 void lhg_gather(const Lhg *g, LhgChannel *c, const double *f);
 void lhg_scatter(const Lhg *g, const LhgChannel *c, double *f);
 
-/* Set, replace in its place or (value NULL) remove the datum of that key.  Returns
- * 0, LHG_ENOMEM, or LHG_ELIMIT: key or value not as LHG.md 2.3 allows (key: letters,
- * digits and . _ + -; value: UTF-8, not empty, no control character, no space at
- * either end); then nothing has changed. */
+/* Set the datum of that key, or replace it in its place, or remove it if value is NULL.  Returns 0;
+ * LHG_ENOMEM; or LHG_ELIMIT if LHG.md 2.3 does not allow the key (letters, digits and . _ + -) or
+ * the value (UTF-8, not empty, no control character, no space at either end).  On failure nothing
+ * is changed. */
 int lhg_setmeta(Lhg *g, const char *key, const char *value);
 
 /* Copy the value of key to value[n], cut if it is too long.  Returns value, or NULL if there is no
@@ -119,26 +120,26 @@ const char *lhg_getmeta(const Lhg *g, const char *key, char *value, size_t n);
  * ends in "...", an empty one becomes "?".  Returns 0 or LHG_ENOMEM. */
 int lhg_note(Lhg *g, const char *step);
 
-/* The length of the character that the n > 0 bytes at p begin with, 0 if it is a control character
- * or not UTF-8: one that LHG.md allows in metadata and history. */
+/* The length in bytes of the first character of the n > 0 bytes at p, if LHG.md allows it in
+ * metadata and history; 0 if it is a control character or not UTF-8. */
 size_t lhg_utf8(const char *p, size_t n);
 
 /* Start a stream that reads from or writes to f.  The caller closes f. */
 void lhg_open(LhgStream *s, FILE *f);
 
-/* Read from f, whose first bytes, LHG_MAGIC, have been read already: for callers that must first
- * see whether f is a stream of grids at all. */
+/* Start a stream that reads from f, whose first bytes, LHG_MAGIC, have been read already: for
+ * callers that must first see whether f is a stream of grids at all. */
 #define LHG_MAGIC "lhg 1\n"
 void lhg_open_behind_magic(LhgStream *s, FILE *f);
 
-/* Read the next grid and its end mark; after the last frame of a set also look at
- * what follows: nothing, or the magic of another grid (which waits, on a pipe, until
- * one or the other is there).  g needs no lhg_init.
+/* Read the next grid and its end mark.  After the last frame of a set also look at what follows: the
+ * end of the input, or LHG_MAGIC of another grid.  On a pipe this waits until one of them arrives.
+ * g needs no lhg_init.
  *
- * Returns 1 with a grid in g (lhg_free it), 0 at the end of a complete stream, or a
- * negative code; then g holds nothing, and the stream is to be given up.  An input
- * without any grid is LHG_EMAGIC, one that ends after frame k < n of n is LHG_ESHORT, which
- * the call after that frame returns.  Memory grows with the bytes that arrive. */
+ * Returns 1 with a grid in g (lhg_free it), or 0 at the end of a complete stream.  On failure returns
+ * a negative code; g then holds nothing, and the stream is to be given up.  An empty input gives
+ * LHG_EMAGIC.  If the input ends after frame k < n of n, frame k is read, and the next call returns
+ * LHG_ESHORT.  Memory grows with the bytes that arrive. */
 int lhg_read(LhgStream *s, Lhg *g);
 
 /* Write g as the next grid and flush.  Everything is checked before the first
@@ -146,9 +147,9 @@ int lhg_read(LhgStream *s, Lhg *g);
  * negative code; after LHG_EIO the stream is to be given up. */
 int lhg_write(LhgStream *s, const Lhg *g);
 
-/* Between two sets: write line 1 of the header of the next grid now, which lhg_write then leaves
- * out.  A writer that fails, or is killed, before that grid is complete has not written a stream
- * that looks complete.  Returns 0 or LHG_EIO. */
+/* Between two sets: write line 1 of the header of the next grid now; lhg_write will leave it out.
+ * If the writer fails, or is killed, before that grid is complete, readers then see that the stream
+ * is not complete.  Returns 0 or LHG_EIO. */
 int lhg_begin_next(LhgStream *s);
 
 #endif

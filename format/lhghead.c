@@ -78,8 +78,8 @@ lhg_puthead(char *h, const Lhg *g, uint32_t prev)
 
 /* ---- parse ----------------------------------------------------------- */
 
-/* Each function parses the item in its name at *p, and moves *p behind it.  It returns 0 if the
- * item is not there. */
+/* Each of these functions parses the item that it is named after at *p, and moves *p behind it.  It
+ * returns 0 if the item is not there. */
 static int
 word(const char **p, const char *w)
 {
@@ -116,8 +116,8 @@ hex(const char **p, uint32_t *x)
 	return 1;
 }
 
-/* A word up to the next space or LF.  Returns 0 if it is empty or too long for `to`, where it is
- * cut. */
+/* Copies the word up to the next space or LF.  Returns 0 if it is empty, or too long for `to`, which
+ * then has its beginning. */
 static int
 name(const char **p, char to[LHG_NAMELEN])
 {
@@ -128,7 +128,7 @@ name(const char **p, char to[LHG_NAMELEN])
 	return n > 0 && n < LHG_NAMELEN;
 }
 
-/* "NAME UNIT SUPPORT" at p as the next channel of g. */
+/* Parses "NAME UNIT SUPPORT" at p as the next channel of g.  Returns 0 if it is malformed. */
 static int
 channel(Lhg *g, const char *p)
 {
@@ -147,7 +147,8 @@ channel(Lhg *g, const char *p)
 	return 1;
 }
 
-/* The header line at p; meta and history lines are left for later. */
+/* Parses the header line at p into g and *prev, except meta and history lines, which are left to
+ * collect().  Returns 0 if it is malformed. */
 static int
 headline(Lhg *g, const char *p, uint32_t *prev)
 {
@@ -170,8 +171,8 @@ headline(Lhg *g, const char *p, uint32_t *prev)
 	return 0;
 }
 
-/* What follows w in all lines of h that begin with w; *text = NULL if there are none.
- * Returns 0 or LHG_ENOMEM. */
+/* Sets *text, malloc'd, to what follows w in all lines of h that begin with w, or to NULL if no line
+ * does.  Returns 0 or LHG_ENOMEM. */
 static int
 collect(const char *h, const char *w, char **text)
 {
@@ -197,7 +198,7 @@ collect(const char *h, const char *w, char **text)
 	return 0;
 }
 
-/* The number of the line of h in which it first differs from again. */
+/* The number of the first line in which h differs from `again`, counted from 1. */
 static int
 difference(const char *h, const char *again)
 {
@@ -208,7 +209,7 @@ difference(const char *h, const char *again)
 	return no;
 }
 
-/* The header h must be the bytes that lhg_puthead writes for g. */
+/* Checks that the header h consists of the bytes that lhg_puthead writes for g. */
 static int
 checkspelling(LhgStream *s, const Lhg *g, const char *h, size_t n, uint32_t prev)
 {

@@ -24,8 +24,8 @@ lhg_open_behind_magic(LhgStream *s, FILE *f)
 	s->ahead = 1;
 }
 
-/* Writes to `to` where an error is: the frame that is due, else the frame under way, else the
- * number of the grid. */
+/* Writes to `to` where an error is: the frame that must come next, else the frame in g, else the
+ * number of the grid.  Returns the length; 0 in the first grid. */
 static size_t
 place(const LhgStream *s, const Lhg *g, char *to, size_t n)
 {

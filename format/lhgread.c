@@ -23,7 +23,7 @@ take(FILE *f, void *to, size_t n)
 	return got;
 }
 
-/* Line 1 of a header.  Returns 1, 0 if the input ends before it, or a negative code. */
+/* Reads line 1 of a header.  Returns 1, 0 if the input ends before it, or a negative code. */
 static int
 readmagic(LhgStream *s, const Lhg *g)
 {
@@ -56,7 +56,8 @@ shorthead(LhgStream *s, const Lhg *g, const char *h, size_t n)
 	    lhg_fail(s, g, LHG_ESHORT, "input ends in header line %d", line);
 }
 
-/* 2. All bytes of a header whose line 1 is taken already, and a NUL. */
+/* Section 2: reads a header whose line 1 has been read already.  h gets the whole header, with line
+ * 1, and a NUL. */
 static int
 takehead(LhgStream *s, const Lhg *g, char h[LHG_MAXHEAD + 1], size_t *n)
 {
@@ -80,7 +81,8 @@ takehead(LhgStream *s, const Lhg *g, char h[LHG_MAXHEAD + 1], size_t *n)
 	return lhg_fail(s, g, LHG_EHEAD, "header has no end in its first %d bytes", LHG_MAXHEAD);
 }
 
-/* Reads a header after its line 1, into g and the CRC at its end. */
+/* Reads a header whose line 1 has been read already, and parses it into g.  *crc: the CRC at its
+ * end. */
 static int
 readhead(LhgStream *s, Lhg *g, uint32_t *crc)
 {
@@ -161,7 +163,7 @@ readsamples(LhgStream *s, const Lhg *g, LhgChannel *c, uint32_t *crc, size_t *go
 	return 0;
 }
 
-/* 3. Channel block. */
+/* Section 3: reads a channel block.  *crc: in, the CRC before the block; out, the CRC in it. */
 static int
 readchannel(LhgStream *s, const Lhg *g, LhgChannel *c, uint32_t *crc)
 {
@@ -199,8 +201,8 @@ readend(LhgStream *s, const Lhg *g)
 	return 0;
 }
 
-/* Everything of a grid behind line 1 of its header, and, after the last frame of a set,
- * line 1 of the next. */
+/* Reads a grid behind line 1 of its header.  After the last frame of a set also reads line 1 of the
+ * next header, if the input does not end there. */
 static int
 readgrid(LhgStream *s, Lhg *g, uint32_t *crc)
 {

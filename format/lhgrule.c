@@ -4,7 +4,7 @@
 
 #include "lhgpriv.h"
 
-/* 2.2: channel number c. */
+/* Section 2.2: checks channel number c. */
 static int
 checkchannel(LhgStream *s, const Lhg *g, int c)
 {
@@ -28,7 +28,8 @@ checkchannel(LhgStream *s, const Lhg *g, int c)
 	return 0;
 }
 
-/* 2.3, 2.4: every line of text is fine behind a word of w bytes. */
+/* Sections 2.3 and 2.4: checks every line of text.  In the header a word of w bytes comes before it;
+ * the two together must not be too long.  `what` names the text in messages. */
 static int
 checklines(LhgStream *s, const Lhg *g, const char *text, const char *what, size_t w)
 {
@@ -42,7 +43,7 @@ checklines(LhgStream *s, const Lhg *g, const char *text, const char *what, size_
 	return 0;
 }
 
-/* 2.3: keys, of lines that are fine. */
+/* Section 2.3: checks the keys of the metadata, whose lines checklines has accepted. */
 static int
 checkkeys(LhgStream *s, const Lhg *g)
 {

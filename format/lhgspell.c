@@ -52,7 +52,7 @@ lhg_goodtext(const char *p, size_t n)
 	return 1;
 }
 
-/* The locale may have another decimal point than '.', of several bytes. */
+/* In some locales the decimal point is not '.', and it may have several bytes. */
 void
 lhg_putheight(char text[LHG_HEIGHTLEN], double T)
 {

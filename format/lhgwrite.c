@@ -27,7 +27,7 @@ give(FILE *f, const void *bytes, size_t n)
 	return fwrite(bytes, 1, n, f) != n;
 }
 
-/* b: 8 bytes for each of n samples. */
+/* Stores n samples at b, in 8 bytes each, least significant byte first. */
 static void
 pack(unsigned char *b, const double *f, size_t n)
 {
