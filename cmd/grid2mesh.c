@@ -56,7 +56,8 @@ numbered(const char *name, size_t *before, int *width, const char **after)
 	return 1;
 }
 
-/* The name of file number i, in out. */
+/* The name of file number i: name with i in place of its "%d", written to out; name itself if it has
+ * no "%d". */
 static const char *
 file_name(const char *name, int i, char *out, size_t n)
 {

@@ -59,11 +59,12 @@ CMD_USAGE
 "With --split of 1 or more, on smooth surfaces and with a grid as fine as the mesh, the error\n"
 "of H is of second order in the mesh size; a mesh of more than a quarter of --max-vertices\n"
 "is not split, and the order is one.\n"
-"With --surface=facets H does not converge: it is concentrated on the edges.  -v reports the result.\n"
-"The curves of --like are smoothed (about 8 waves round) and scaled to one size.  Their distance after the fit, root mean\n"
-"square in units of the root mean square distance from their centre, is the metadatum like:\n"
-"0 for equal boundaries.  Of fits within 25 % of the best, the one that turns the mesh least\n"
-"is chosen, and this is noted: an outline may also fit upside down.\n";
+"With --surface=facets H does not converge: it is concentrated on the edges.  -v reports the\n"
+"result.\n"
+"The curves of --like are smoothed (about 8 waves round) and scaled to one size.  Their distance\n"
+"after the fit, root mean square in units of the root mean square distance from their centre,\n"
+"is the metadatum like: 0 for equal boundaries.  Of fits within 25 % of the best, the one that\n"
+"turns the mesh least is chosen, and this is noted: an outline may also fit upside down.\n";
 
 enum { FLIP = 256, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, LIKE, REVERSED, MAX_CELLS,
 	UV = CMD_UNRECORDED, MAX_LOSS };
@@ -87,7 +88,8 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
-/* "auto", or "N" or "NxM" cells as numbers of nodes. */
+/* Reads "auto", "N" or "NxM".  Sets the numbers of nodes of g, one more than those of cells; or, for
+ * "auto", *keep, the fraction of the area to be kept, which is 0 otherwise. */
 static void
 opt_cells(char *s, Chart *g, double *keep)
 {
@@ -129,7 +131,7 @@ claim_map(const char *name, const Disk *d, Chart g, const ConformalOptions *o)
 		claim_possible(name, "the map", o->map.most, PER_VERTEX + INTRINSICMAP_CROSSINGS*PER_CROSSING);
 }
 
-/* Splits an edge of a boundary of three vertices, since four corners are needed. */
+/* If the boundary has only three vertices, splits an edge, since four corners are needed. */
 static void
 add_corner(const char *name, Disk *d)
 {
@@ -167,7 +169,7 @@ map_disk(const Disk *d, const int corner[4], Chart g, const ConformalOptions *op
 		die("the map has no modulus: triangles too thin");
 }
 
-/* The grid as a stream of one frame. */
+/* Sets out to the grid, with channels x y z. */
 static void
 begin_output(Lhg *out, const Grid *grid)
 {

@@ -72,8 +72,9 @@ waves_of(const CmdInput *in, const Lhg *g)
 	return waves;
 }
 
-/* The offsets o in the channel MESH_OFFSET of s, those short against a wave made shorter by the
- * square of the ratio.  The width of the rectangle is the unit of o. */
+/* Copies the offsets to the channel MESH_OFFSET of s.  If waves > 0, an offset of length L, in widths
+ * of the rectangle, is multiplied by 1 - exp(-(waves L)^2).  So offsets much shorter than the
+ * shortest wave, 1/waves, nearly vanish, and those much longer remain. */
 static void
 add_offsets(const OnMesh *on, double waves, const double *o, Soup *s)
 {

@@ -15,8 +15,9 @@ typedef struct OnMesh {
 	Soup   s;
 } OnMesh;
 
-/* Reads the mesh of --on with its (u,v), or dies; notes the number of vertices without (u,v), and,
- * if the option --detail is given (offsets >= 0), that there are no offsets. */
+/* Reads the mesh of --on with its (u,v), or dies.  offsets is an OFFSETS_ value, or -1 if --detail is
+ * not given.  Prints a note if vertices have no (u,v), and if --detail is given, but there are no
+ * offsets. */
 void gridfile_read_mesh(const char *path, int offsets, OnMesh *on);
 
 /* Makes the bytes of a mesh file of that format, or dies.  Without a mesh in `on`, the mesh has the

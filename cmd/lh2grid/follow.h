@@ -10,8 +10,9 @@ typedef struct Before {
 	double *phi;            /* [3][nv][nu] */
 } Before;
 
-/* If the previous surface has the size of g: replaces the start of g by a lattice of that surface,
- * about 33 nodes along the shorter side.  Its unit is that of the start or the band of g. */
+/* If the previous surface has the size of g, replaces the start of g by a lattice of that surface.
+ * Along the shorter side the lattice has 33 to 64 nodes, or all if there are fewer.  Its unit is
+ * that of the start or the band of g. */
 void follow_start(const Before *before, Lhg *g);
 
 /* follow_keep keeps phi[3][nv][nu] for the next frame and takes over freeing it. */

@@ -13,8 +13,8 @@
  * steps converge fast. */
 static const double EXACT = 1e-4;
 
-/* Sum of the changes of the last ten steps, over sqrt(area), above which a surface is refused whose
- * steps crept: it is then not known to a percent. */
+/* If the steps crept, and the changes of the last ten steps, over sqrt(area), sum to more than this,
+ * the surface is refused: it is not known to a percent. */
 static const double UNSETTLED = 0.01;
 
 static const char *const START[3] = { "start.x", "start.y", "start.z" };
@@ -40,8 +40,8 @@ surfacefit_rings(const Lhg *g, const SurfaceFit *o)
 	return o->free && !has_band(g) ? 0 : 1;
 }
 
-/* Returns the channels start as three fields, to be freed.  Sets the lattice of s and its place in
- * the rectangle. */
+/* Returns the channels start.x start.y start.z as three fields, to be freed.  Sets start, the chart
+ * of its lattice, and where the lattice ends in the rectangle, in s. */
 static double *
 read_start(const CmdInput *in, const Lhg *g, Surface *s)
 {
@@ -109,7 +109,7 @@ seconds(void)
 	return t.tv_sec + 1e-9*t.tv_nsec;
 }
 
-/* Notes or refuses a surface whose steps crept. */
+/* If the steps crept, prints a note, or dies if the surface is not known well enough. */
 static void
 say_crept(const CmdInput *in, const FitProgress *at)
 {

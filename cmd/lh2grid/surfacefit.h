@@ -15,8 +15,8 @@ typedef struct SurfaceFit {
  * else 1 for a held boundary (or to place a free one), and 0 for a free boundary without a band. */
 int surfacefit_rings(const Lhg *g, const SurfaceFit *o);
 
-/* phi[3][nv][nu] has those rings, and becomes the surface; dies if there is none.  at: out, how the
- * steps ended, which surfacefit_meta writes into the metadata. */
+/* On entry phi[3][nv][nu] has the rings of surfacefit_rings, on return the whole surface.  Dies if
+ * none is found.  at: out, how the steps ended; surfacefit_meta writes it into the metadata. */
 void surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, FitProgress *at);
 void surfacefit_meta(Lhg *g, const FitProgress *at);
 

@@ -13,8 +13,8 @@ enum {
 };
 
 typedef struct Compare {
-	double error;           /* over the square root of the area of a */
-	int    far, cross;      /* compute the Hausdorff distance; self-intersections */
+	double error;           /* of the Hausdorff distance, over the square root of the area of a */
+	int    far, cross;      /* 1: compute the Hausdorff distance; the self-intersections */
 } Compare;
 
 /* One of the two surfaces, and the values that depend on it alone. */

@@ -5,22 +5,22 @@
 #include "../../lib/mesh/mesh.h"
 #include "../shared/cmd.h"
 
-/* The surfaces of one operand: one of a mesh file, or one for each grid of a stream. */
+/* The surfaces of one operand: the one of a mesh file, or one for each grid of a stream. */
 typedef struct Surfaces {
-	CmdInput in;            /* of grids */
-	char    *bytes;         /* of a mesh file that has not been read yet, else NULL */
+	CmdInput in;            /* the stream of grids; of a mesh file only the name */
+	char    *bytes;         /* [n] of a mesh file that has not been parsed yet, else NULL */
 	size_t   n;
 	int      grids;         /* the operand is a stream of grids */
 	long     count;         /* surfaces read so far */
-	char     place[300];    /* name of the last in messages, with its number if there are
-	                         * several */
+	char     place[300];    /* the last surface in messages: the name of the operand, with the
+	                         * number of the surface if there are several */
 } Surfaces;
 
 /* Open path ("-": stdin); its first bytes decide whether it is a stream of grids. */
 void surfaces_open(Surfaces *s, const char *path);
 
-/* The next surface and 1, or 0 at the end; dies if a mesh has no face with area or a grid has no
- * channels x y z. */
+/* Sets m to the next surface and returns 1, or returns 0 at the end.  Dies if a mesh has no face with
+ * area or a grid has no channels x y z. */
 int  surfaces_next(Surfaces *s, Mesh *m);
 
 /* Whether another surface follows; to be called after the first. */

@@ -137,9 +137,9 @@ scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g)
 	return f;
 }
 
-/* Sets the metadatum "waves", in cycles per width: the radius of the quarter disk of wave numbers
- * that contains as many cosines, pi waves^2 T, as the filter kept.  If an earlier filter had a
- * smaller value, that is kept. */
+/* Sets the metadatum "waves", in cycles per width.  There are about pi waves^2 T cosines of wave
+ * numbers up to `waves` (a quarter disk), and this is the number that the filter kept.  If an earlier
+ * filter has set a smaller value, that stays. */
 static void
 set_waves(Lhg *g, double before, size_t kept)
 {

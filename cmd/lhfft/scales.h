@@ -29,15 +29,16 @@ void scales_check(Scales *s);
 /* Dies unless g has lambda > 0 and H.  Returns the smallest lambda. */
 double scales_need(const CmdInput *in, const Lhg *g);
 
-/* The field that is filtered in place of H, lambda H or H itself, to be freed; and its name. */
+/* scales_curvature returns the field that is filtered, lambda H or H, to be freed; scales_name
+ * returns its name. */
 double *scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g);
 const char *scales_name(const Scales *s);
 
 /* The metadatum "waves" of g, which an earlier filter has set; 0 if there is none. */
 double scales_waves(const Lhg *g);
 
-/* Filter lambda and H of g as at scale k, or die, and set the metadatum "waves" if they change or if
- * there are several scales.  before: scales_waves of the input. */
+/* Filter lambda and H of g by the bound of scale k, or die.  Set the metadatum "waves" if lambda or H
+ * changes or if there are several scales.  before: scales_waves of the input. */
 void scales_apply(const Scales *s, int k, double before, const CmdInput *in, Lhg *g);
 
 #endif

@@ -5,7 +5,7 @@
 #include "../shared/cmd.h"
 #include "scales.h"
 
-/* Exit 2 if FILE is the output of the grid. */
+/* Exit 2 if the grid is written to FILE, too. */
 void opt_spectable(const char *file);
 
 /* Write the spectra of lambda and H of g, as a tab-separated table, to FILE, or die.

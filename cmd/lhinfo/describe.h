@@ -6,8 +6,8 @@
 
 #include "../../format/lhg.h"
 
-/* Size, height, frame, channels with their ranges, metadata and history; name is where
- * the grid came from.  As lines for a person, or as one JSON object on one line. */
+/* Write size, height, frame, channels with their ranges, metadata and history of g to f: as lines
+ * for a person, or as one JSON object on one line.  name: the input that the grid came from. */
 void describe_text(FILE *f, const char *name, const Lhg *g);
 void describe_json(FILE *f, const char *name, const Lhg *g);
 

@@ -1,7 +1,7 @@
 /* json.c - text as JSON strings. */
 #include "json.h"
 
-/* The length of the UTF-8 character at s, or 0: cut, overlong, a surrogate, or beyond
+/* The length of the UTF-8 character at s; 0 if it is cut off, overlong, a surrogate, or beyond
  * U+10FFFF (Unicode 15, table 3-7). */
 static int
 utf8(const unsigned char *s)

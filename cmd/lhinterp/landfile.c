@@ -1,4 +1,4 @@
-/* landfile.c - the file of --landmarks: two places or two points a line. */
+/* landfile.c - the file of --landmarks: two places or two points on each line. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,7 +6,8 @@
 #include "../shared/cmd.h"
 #include "landfile.h"
 
-static const double FAR = 0.05;         /* fraction of the boundary length; beyond it, a note */
+static const double FAR = 0.05;         /* a point is noted if it is farther from the boundary than
+                                         * this fraction of the length of the boundary */
 
 typedef struct Landmarks {
 	const char *name;       /* of the file */

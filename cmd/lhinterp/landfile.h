@@ -4,7 +4,7 @@
 
 #include "../../lib/morph/matching.h"
 
-/* The correspondence of borders a and b by the landmarks in path, or die. */
+/* Sets m to the correspondence of borders a and b by the landmarks in the file path, or dies. */
 void landfile_match(const char *path, const Border *a, const Border *b, Matching *m);
 
 #endif

@@ -13,8 +13,8 @@ typedef struct Morph {
 	Matching match;
 } Morph;
 
-/* Read both, or die if they do not fit each other.  landmarks: a file, or NULL; scaled, aligned: as
- * --scale and --align. */
+/* Read both grids, or die if they do not fit each other.  landmarks: a file, or NULL; scaled,
+ * aligned: whether --scale and --align are given. */
 void morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks, int scaled,
 	int aligned);
 

@@ -9,13 +9,14 @@ enum { SIDE = 128 };                    /* points on each side */
 
 /* Distances are root mean squares between the borders after the best rigid motion, in units of
  * their size. */
-static const double CLEAR = 1.5;        /* a fit is clearly better if closer by this factor, */
-static const double FAR = 0.1;          /* provided that the distance was more than this; */
+static const double CLEAR = 1.5;        /* another fit is clearly better than the present one if its
+                                         * distance is smaller by this factor, */
+static const double FAR = 0.1;          /* and the present distance is larger than this; */
 static const double TURN = M_PI/3;      /* or if it rotates B less, by more than this angle */
 static const double NEAR = 1.25;        /* distances within this factor count as equal */
 
-/* Sets x to points at equal distances in place, starting at side `first`, moved to mean 0 and
- * scaled to root mean square 1. */
+/* Sets x to SIDE points of each side, evenly spaced in place (border.h), from the beginning of side
+ * `first` on.  Then moves them to mean 0 and scales them to root mean square 1. */
 static void
 sample(const Border *b, int first, double *x)
 {

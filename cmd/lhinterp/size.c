@@ -8,7 +8,7 @@
 
 static const double APART = 2;          /* ratio of sizes above which a note is printed */
 
-/* The square root of the area, the integral of lambda^2 du dv, by the trapezoidal rule. */
+/* The square root of the area, which is the integral of lambda^2 du dv, by the trapezoidal rule. */
 static double
 size_of(const Lhg *g)
 {

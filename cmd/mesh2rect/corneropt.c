@@ -17,7 +17,8 @@ typedef struct Given {
 } Given;
 
 /* Skips what separates two numbers: blanks with at most one comma, or, at the end of a point, a
- * semicolon or line ends.  Returns 2 at the end of a point, else 1, or 0 for an error. */
+ * semicolon or line ends.  Returns 2 at the end of a point, 1 between other numbers, 0 for an
+ * error. */
 static int
 skip_separator(const char **s)
 {

@@ -4,9 +4,10 @@
 
 #include "../../lib/mesh/mesh.h"
 
-/* Four corners, as places in the boundary loop of d, or die.  NULL and "auto" choose by shape;
- * "I,J,K,L" are vertices by their number in the file; "x,y,z;x,y,z;x,y,z;x,y,z" are the boundary
- * vertices nearest to these points; anything else is a file of four numbers or four points. */
+/* Sets corner to the indices of four corners in d->loop, or dies.  arg NULL or "auto": chosen by the
+ * shape of the boundary; "I,J,K,L": vertices by their number in the file;
+ * "x,y,z;x,y,z;x,y,z;x,y,z": the boundary vertices nearest to these points; anything else: the name
+ * of a file with four numbers or four points. */
 void opt_corners(const char *arg, const Disk *d, int corner[4]);
 
 #endif

@@ -78,7 +78,7 @@ fit(const Outline *a, const Outline *b)
 	return f;
 }
 
-/* Reverses d, and replaces its outline b and the fit f, if the outlines are closer then. */
+/* Reverses d, and replaces its outline b and the fit f, if the outlines are then closer. */
 static void
 try_reversed(const char *name, const Outline *a, Disk *d, Outline *b, Fit *f)
 {

@@ -4,7 +4,8 @@
 
 #include "../../lib/mesh/mesh.h"
 
-/* Corners of d, as places in its loop, that correspond to those of the grid in path, or die.
+/* Sets corner to the indices in d->loop of the corners that correspond to those of the grid in path,
+ * or dies.
  *
  * reversed  the normal of d, and so the direction of its boundary, may be reversed; it is
  *           reversed if the outlines are then closer

@@ -5,7 +5,8 @@
 #include "../shared/cmd.h"
 #include "loss.h"
 
-static const double NOTED = 0.01;       /* of the area, or of its square root */
+static const double NOTED = 0.01;       /* a loss is noted above this share of the area, a distance
+                                         * above this share of its square root */
 
 void
 loss_report(Lhg *out, const char *mesh, double most, const Disk *d, const Conformal *c)

@@ -9,10 +9,10 @@
  * the output or the operand mesh.  To be called after all options. */
 void opt_uv(const char *file, const char *mesh);
 
-/* Write s, the file's own vertices and polygons, with the (u,v) of the vertices of d, the
- * disk made from it, and their offsets from the grid phi, to FILE, or die.  Call it before
- * cmd_write: one output is open at a time,
- * and a program that reads the grid from a pipe finds FILE complete. */
+/* Write to FILE, or die: s, the vertices and polygons as the mesh file has them, with their (u,v) and
+ * their offsets from the grid phi.  d is the disk made from s; u and v are those of its vertices.  To
+ * be called before cmd_write, because only one output can be open at a time, and a program that reads
+ * the grid from a pipe then finds FILE complete. */
 void uv_write(const char *file, Soup *s, const Disk *d, const double *u, const double *v, Chart g,
 	const double *const phi[3]);
 

@@ -7,7 +7,7 @@
 /* The usage text: head, then every kind with its parameters and formula; free it. */
 char *kinds_manual(const char *head);
 
-/* Write the names, one a line. */
+/* Write the names, one on each line. */
 void kinds_list(void);
 
 /* Set the parameter of an operand NAME=VALUE, or exit 2; arg is cut at its '='. */

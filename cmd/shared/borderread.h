@@ -5,8 +5,8 @@
 #include "../../lib/grid/border.h"
 #include "cmd.h"
 
-/* The border from x y z, or if there is no x from band.x band.y band.z, with its arc lengths; or
- * die. */
+/* Sets b to the boundary curve of g, with its arc lengths: from x y z, or from band.x band.y band.z
+ * if there is no x.  Dies if a channel is missing or the curve has no length. */
 void border_read(const CmdInput *in, const Lhg *g, Border *b);
 
 #endif

@@ -4,11 +4,11 @@
 
 #include <stddef.h>
 
-/* Dies if n*bytes, about the most that a computation needs, are more than the machine has or the
- * process may use.  what: the computation, where: its input, both for the message. */
+/* Dies if n*bytes, about the most memory that a computation needs, is more than the machine has or
+ * the process may use.  what: the computation, where: its input, both for the message. */
 void claim(const char *where, const char *what, double n, double bytes);
 
-/* Prints a note if n*bytes, the most that a computation may need, exceed the same limits. */
+/* Prints a note if n*bytes, the most that a computation may need, is more than that. */
 void claim_possible(const char *where, const char *what, double n, double bytes);
 
 /* Bytes of the largest input that is read into memory: half of the memory that the machine has

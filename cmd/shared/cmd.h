@@ -14,7 +14,7 @@
 
 /* A command begins with cmd_begin(name, usage text) and ends with return cmd_end(). */
 void cmd_begin(const char *name, const char *usage);
-int  cmd_end(void);             /* closes the output; 0, or dies */
+int  cmd_end(void);             /* closes the output; returns 0, or dies */
 
 /* "name: message" on one line of stderr, with '?' for each byte of control characters and each
  * byte that is not UTF-8.  die exits 1; misuse exits 2 and refers to --help.  note prints nothing
@@ -24,11 +24,10 @@ _Noreturn void misuse(const char *fmt, ...);
 void note(const char *fmt, ...);
 void detail(const char *fmt, ...);
 
-/* Options.  cmd_getopt is getopt_long, but handles the options that all commands have (-o -q -v -h
- * --version --no-history) and mistakes itself, and returns only the command's own options.  The
- * array of long options ends with CMD_LONGOPT.  cmd_getopt also records the step for the history:
- * own options in their long form, then operands, so that a short and a long option give the same
- * bytes. */
+/* Options.  cmd_getopt is like getopt_long, but returns only the command's own options.  It handles
+ * mistakes and the options that all commands have (-o -q -v -h --version --no-history) itself.  The
+ * array of long options ends with CMD_LONGOPT.  cmd_getopt also records the command's own options
+ * for the history, in their long form, so that a short and a long option give the same bytes. */
 #define CMD_LONGOPT \
 	{ "output",  required_argument, NULL, 'o' }, \
 	{ "no-history", no_argument,    NULL, CMD_NO_HISTORY }, \
@@ -51,16 +50,17 @@ enum {
 };
 int cmd_getopt(int argc, char *argv[], const char *shortopt, const struct option *longopt);
 
-/* The number of operands after the options, min .. max, or exit 2; records them for the history.
- * Operand 0 is argv[optind]. */
+/* Returns the number of operands after the options; exits 2 unless it is min .. max.  Records the
+ * operands for the history.  Operand 0 is argv[optind]. */
 int cmd_operands(int argc, char *argv[], int min, int max);
 
-/* The value of s, which must be a number in [lo,hi] and nothing else; or exit 2. */
+/* The value of s.  Exit 2 unless s is a number in [lo,hi] and nothing else.  option: its name in the
+ * message. */
 double opt_double(const char *s, double lo, double hi, const char *option);
 long   opt_long(const char *s, long lo, long hi, const char *option);
 
-/* The index of s in a list of words, each ended by NUL, the list by one more; or exit 2 with the
- * list. */
+/* The index of s in `words`, where each word ends with a NUL, and the list with one more.  If s is no
+ * word of the list, exits 2 with the list in the message. */
 int    opt_word(const char *s, const char *words, const char *option);
 
 /* The FILE of the option -o; NULL for stdout. */
@@ -69,14 +69,14 @@ const char *cmd_output(void);
 /* The name of an input in messages: path, or "stdin" for "-" and NULL. */
 const char *cmd_name_of(const char *path);
 
-/* All bytes of a file ("-" or NULL: stdin), to be freed.  Dies if there are more than
- * claim_input().  cmd_slurp_if calls look with the first 64 KiB of a longer input; look dies if
- * they begin no input of the right kind, so that an endless pipe is refused at once. */
+/* All *n bytes of a file ("-" or NULL: stdin), to be freed.  Dies if there are more than
+ * claim_input().  cmd_slurp_if calls look with the first 64 KiB of a longer input.  look dies if no
+ * input of the right kind begins with them, so that an endless pipe is refused at once. */
 typedef void CmdLook(const char *name, const char *head, size_t n);
 char *cmd_slurp(const char *path, size_t *n);
 char *cmd_slurp_if(const char *path, CmdLook *look, size_t *n);
 
-/* Exit 2 now rather than write binary data to a terminal later. */
+/* Exit 2 if the output would go to a terminal: binary data does not belong there. */
 void cmd_binary_output(void);
 
 /* Streams of grids.  cmd_open opens path ("-" or NULL: stdin).  cmd_read returns 1 and the next
@@ -90,8 +90,8 @@ void cmd_open(CmdInput *in, const char *path);
 int  cmd_read(CmdInput *in, Lhg *g);
 void cmd_read_one(CmdInput *in, Lhg *g);
 
-/* If the first bytes of path are those of a stream of grids, open it as cmd_open does and return 1;
- * else return 0 and all its bytes as cmd_slurp_if does. */
+/* If path begins like a stream of grids, open it as cmd_open does and return 1.  Otherwise return 0,
+ * with all its bytes as from cmd_slurp_if. */
 int  cmd_open_or_slurp(CmdInput *in, const char *path, CmdLook *look, char **bytes, size_t *n);
 
 /* Write g to -o or stdout, the step of this command added to its history.  cmd_pass is for a stage
@@ -105,8 +105,9 @@ void cmd_pass(const CmdInput *in, Lhg *g);
  * time. */
 void cmd_write_bytes(const char *path, const void *bytes, size_t n);
 
-/* The samples of a channel that must have that support, or die; the message names the command that
- * makes the channel.  cmd_add appends a channel of zeros, or dies. */
+/* cmd_need returns the samples of a channel.  It dies if the channel is missing, and names the
+ * command that makes it, or if the channel has another support.  cmd_add appends a channel of zeros,
+ * or dies. */
 double *cmd_need(const CmdInput *in, const Lhg *g, const char *name, int support);
 double *cmd_add(Lhg *g, const char *name, const char *unit, int support, int step);
 

@@ -31,7 +31,7 @@ read_some(void *cookie, char *bytes, size_t n)
 	return got;
 }
 
-/* stdio treats a count below n as an error. */
+/* Writes until all n bytes are written, because stdio treats a count below n as an error. */
 static ssize_t
 write_all(void *cookie, const char *bytes, size_t n)
 {

@@ -25,7 +25,7 @@ static struct {
 typedef struct Line {
 	const char *s;
 	size_t n;               /* bytes, with the LF */
-	int    age;             /* merges it went through: the number of its marks */
+	int    age;             /* number of its marks "A: " and "B: ", one for each merge */
 } Line;
 
 void
@@ -40,9 +40,10 @@ history_none(void)
 	step.none = 1;
 }
 
-/* value in the quotes that a shell needs; out has 9 bytes for each byte of value, and 17 more.
- * Control characters and bytes that are not UTF-8 are escapes of printf %b.  "$(..)" drops LFs at
- * the end, so these are taken from IFS, which is " \t\n" when a shell starts. */
+/* Writes value to out, in the quotes that a shell needs.  out has room for 9 bytes for each byte of
+ * value, and 17 more.  Control characters and bytes that are not UTF-8 become escapes of printf %b.
+ * "$(..)" drops LFs at its end, so LFs at the end of value are taken from IFS, which is " \t\n" when
+ * a shell starts. */
 static void
 quote(const char *value, char *out)
 {
@@ -89,7 +90,8 @@ history_word(const char *dashes, const char *word, const char *equals, const cha
 	free(quoted);
 }
 
-/* Whether a line is a summary, behind any number of marks; *counted: the steps in it. */
+/* Whether a line is a summary, behind any number of marks.  *counted: the number of steps that the
+ * line stands for, 1 if it is no summary. */
 static int
 is_summary(const Line *l, unsigned long *counted)
 {
@@ -102,7 +104,7 @@ is_summary(const Line *l, unsigned long *counted)
 	return 1;
 }
 
-/* The lines of text, in *n lines to be freed. */
+/* The *n lines of text, as an array to be freed. */
 static Line *
 split(const char *text, size_t *n)
 {
@@ -121,7 +123,8 @@ split(const char *text, size_t *n)
 	return l;
 }
 
-/* The oldest of n > 0 lines: a summary, else the first of those that went through most merges. */
+/* The index of the oldest of the lines that are left: a summary, or else the first of those that
+ * went through most merges. */
 static size_t
 oldest(const Line *l, size_t n)
 {

@@ -11,10 +11,10 @@ void load_soup(const char *path, int uv, Soup *s);
 /* The same from n bytes that were read already; frees them. */
 void load_bytes(const char *name, char *bytes, size_t n, int uv, Soup *s);
 
-/* The disk made from s, or die; repairs are noted. */
+/* Sets d to the disk made from s, or dies.  Repairs are printed as a note. */
 void load_disk(const char *name, const Soup *s, Disk *d);
 
-/* Die if these bytes begin no mesh file.  A CmdLook. */
+/* Dies if no mesh file begins with the n bytes at head.  For cmd_slurp_if (cmd.h). */
 void load_look(const char *name, const char *head, size_t n);
 
 #endif

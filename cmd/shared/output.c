@@ -34,7 +34,7 @@ cmd_drop_output(void)
 	output.out.temp[0] = '\0';
 }
 
-/* Runs with all signals blocked, so that the signal raised again ends the process after it. */
+/* Runs with all signals blocked, so the signal that it raises ends the process when it returns. */
 static void
 on_signal(int sig)
 {

@@ -1,5 +1,5 @@
-/* pages.c - large arrays in pages of 2 MiB, where the system gives them on request: small ones
- * cost mesh2rect a third of its time in page faults and address look-ups.
+/* pages.c - large arrays in pages of 2 MiB, where the system gives them on request.  With small
+ * pages mesh2rect spends a third of its time in page faults and address look-ups.
  *
  * glibc takes arrays up to MAPPED from its heap.  The commands are linked with --wrap for the
  * functions below: they mark larger arrays, and what the heap has grown by, for large pages.
@@ -36,8 +36,9 @@ set_growth(void)
 	marked = (uintptr_t)sbrk(0);
 }
 
-/* Marks the heap's growth, or the mapped array p itself.  A refusal costs time only.  Two
- * threads may mark the same part. */
+/* Marks the array p if glibc has mapped it outside of the heap; otherwise marks what the heap has
+ * grown by.  If the system refuses, only time is lost.  Two threads may mark the same part, which
+ * does no harm. */
 static void *
 mark(void *p, size_t n)
 {

@@ -8,7 +8,7 @@
 
 /* ---- message.c ---- */
 
-/* The name before every message; the clock of cmd_progress starts. */
+/* Sets the name that begins every message, and starts the clock of cmd_progress. */
 void message_begin(const char *name);
 
 /* -1 silences notes and progress, 1 shows details. */
@@ -18,17 +18,17 @@ void message_verbosity(int verbose);
 
 void history_begin(const char *name);
 
-/* Adds a word: dashes, word and equals as they are, value quoted for a shell.  An empty value is
- * quoted only where it is an operand.  A step of more than 3600 bytes ends in " ..." after the
- * last word that fits. */
+/* Adds a word to the step: dashes, word and equals as they are, then value, quoted for a shell.  An
+ * empty value is an operand '' if dashes and word are empty; otherwise nothing is added for it.  A
+ * step of more than 3600 bytes ends in " ..." after the last word that fits. */
 void history_word(const char *dashes, const char *word, const char *equals, const char *value);
 
-/* --no-history. */
+/* For --no-history: results have no history. */
 void history_none(void);
 
-/* The history of a result: the steps past (or NULL) and the step of this command, to be freed; NULL
- * with --no-history.  The oldest steps of a history of more than 16384 bytes are summarised in one
- * line, LHG.md 2.4. */
+/* The history of a result, to be freed: the lines `past`, which may be NULL, and the step of this
+ * command; NULL with --no-history.  If it has more than 16384 bytes, the oldest steps are summarised
+ * in one line, LHG.md 2.4. */
 char *history_with_step(const char *past);
 
 /* ---- output.c ---- */
@@ -42,8 +42,8 @@ void output_follow_links(const char *path, char *to);
 
 /* ---- descriptor.c ---- */
 
-/* A stream over fd, which fclose closes; NULL if memory runs out.  Calls that a signal interrupts,
- * that would block, or that move only a part are continued. */
+/* A stream over fd, or NULL if memory runs out.  fclose closes fd, too.  Reads and writes that a
+ * signal interrupts, that would block, or that move only a part of the bytes are continued. */
 FILE *descriptor_stream(int fd, const char *mode);
 
 /* Opens /dev/null in place of stdin, stdout and stderr if they are closed, so that no file opened
@@ -51,7 +51,8 @@ FILE *descriptor_stream(int fd, const char *mode);
  * lost.  Returns 0 or -1. */
 int descriptor_fill(void);
 
-/* At most four threads for each processor, whatever OMP_NUM_THREADS: each has a stack. */
+/* Limits OpenMP to four threads for each processor, even if OMP_NUM_THREADS asks for more: every
+ * thread takes memory for its stack. */
 void threads_limit(void);
 
 #endif

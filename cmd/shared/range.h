@@ -4,8 +4,8 @@
 
 #include "cmd.h"
 
-/* Dies if a coordinate of the positions x[c][k*stride], k < n, is beyond 1e60, or if the positions
- * together are less than 1e-60 wide. */
+/* Dies if a coordinate of the positions x[c][k*stride], k < n, is beyond 1e60, or if the largest of
+ * their extents along the three axes is below 1e-60, but not 0. */
 void range_positions(const char *name, size_t n, int stride, const double *const x[3]);
 
 /* Dies unless the height T of g is in 1e-9 .. 1e9. */
@@ -15,15 +15,15 @@ void range_height(const CmdInput *in, const Lhg *g);
  * at most 1e12/lambda. */
 void range_lambda_h(const CmdInput *in, const Lhg *g, const double *lambda, const double *H);
 
-/* No two points of the surface lie farther apart than the largest lambda times 1 + T: die if
- * a coordinate spans more than a thousand times that. */
+/* Dies if the coordinate in channel `name` spans more than a thousand times the largest lambda times
+ * 1 + T: no two points of the surface are farther apart than that product. */
 void range_width(const CmdInput *in, const Lhg *g, const char *name);
 
-/* A field on the nodes of g, computed from channels, whose squares are summed: no value beyond
- * 1e100, or die.  what: its name in the message. */
+/* Dies if a value of f, a field on the nodes of g whose squares are summed, is beyond 1e100.  what:
+ * the name of the field in the message. */
 void range_field(const CmdInput *in, const Lhg *g, const char *what, const double *f);
 
-/* Dies if a sample of this channel of g, whose squares are summed, is beyond 1e100. */
+/* Dies if a sample of this channel of g is beyond 1e100: the squares of samples are summed. */
 void range_channel(const CmdInput *in, const Lhg *g, const char *name);
 
 #endif

@@ -7,7 +7,7 @@
  * replaces the name only. */
 int same_file(const char *a, const char *b);
 
-/* Whether path is the regular file that stdin or stdout, descriptor fd, is open on. */
+/* Whether path is the regular file behind fd, the descriptor of stdin or stdout. */
 int same_as_stream(const char *path, int fd);
 
 #endif

@@ -4,8 +4,8 @@
  *
  * GOMP_SPINCOUNT        After every loop libgomp's threads spin for milliseconds.  On a busy
  *                       machine (make -j, a batch over a folder) this costs several times
- *                       as much as the work.  A hundredth of it costs an idle machine
- *                       nothing.
+ *                       as much as the work.  With a hundredth of the spinning, an idle
+ *                       machine loses nothing.
  * OPENBLAS_NUM_THREADS  Our calls of BLAS use one thread.  OpenBLAS starts the others
  *                       anyway, and hangs if they get no memory.
  *
@@ -61,7 +61,7 @@ replace_spare(char **env, char *setting)
 	*at = setting;
 }
 
-/* Keeps settings that the user made. */
+/* Makes both settings, unless the user has made them. */
 BEFORE_MAIN static void
 before_libraries(int argc, char *argv[], char *env[])
 {
