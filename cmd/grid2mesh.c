@@ -119,7 +119,7 @@ main(int argc, char *argv[])
 		if (!many && (g.frames > 1 || in.s.ahead))
 			die("%s: holds several grids, one for each file: need -o NAME-%%03d.off", in.name);
 		if (on && i == 0)
-			gridfile_read_mesh(on, offsets, &mesh);         /* not before: mesh2rect may be writing it */
+			gridfile_read_mesh(on, offsets, &mesh); /* once mesh2rect has written it */
 		gridfile_bytes(&in, &g, &mesh, format, &bytes, &n);
 		cmd_write_bytes(file_name(name, ++i, path, sizeof path), bytes, n);
 		free(bytes);

@@ -15,7 +15,8 @@ typedef struct Before {
  * that of the start or the band of g. */
 void follow_start(const Before *before, Lhg *g);
 
-/* follow_keep keeps phi[3][nv][nu] for the next frame and takes over freeing it. */
+/* follow_keep keeps phi[3][nv][nu] for the next frame; `before` owns it from then on.  follow_end
+ * frees it. */
 void follow_keep(Before *before, const Lhg *g, double *phi);
 void follow_end(Before *before);
 

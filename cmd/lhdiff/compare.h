@@ -14,7 +14,7 @@ enum {
 
 typedef struct Compare {
 	double error;           /* of the Hausdorff distance, over the square root of the area of a */
-	int    far, cross;      /* 1: compute the Hausdorff distance; the self-intersections */
+	int    far, cross;      /* whether to compute Hausdorff distances, self-intersections */
 } Compare;
 
 /* One of the two surfaces, and the values that depend on it alone. */

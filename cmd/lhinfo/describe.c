@@ -26,8 +26,8 @@ range(const LhgChannel *c)
 	return r;
 }
 
-/* The lines of s (NULL: none) as JSON strings; with pairs, as "key": "value", split at the first
- * space. */
+/* Writes the lines of s, which may be NULL, as JSON strings.  With pairs, splits each line at its
+ * first space and writes "key": "value". */
 static void
 json_lines(FILE *f, const char *s, int pairs)
 {

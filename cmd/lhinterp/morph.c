@@ -90,8 +90,8 @@ morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks
 		align(m);
 }
 
-/* Until now the border of g is interpolated between equal places of the rectangle.  Moves it to the
- * border interpolated by landmarks (matching.h), and moves the other positions with it. */
+/* Moves the border of g, which was interpolated between equal places of the rectangle, to the border
+ * interpolated by landmarks (matching.h).  The other positions move with it. */
 static void
 follow_landmarks(const Morph *m, double t, Lhg *g)
 {

@@ -8,7 +8,7 @@
 typedef struct Morph {
 	CmdInput A, B;
 	Lhg      a, b;
-	int      has_border, landmarks; /* border and match are set; match comes from landmarks */
+	int      has_border, landmarks; /* 1: border and match are set; 1: match comes from landmarks */
 	Border   border[2];
 	Matching match;
 } Morph;

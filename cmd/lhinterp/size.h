@@ -4,8 +4,9 @@
 
 #include "morph.h"
 
-/* Scales B to the area of A, about the origin: its channels, its border, its matched points.  With
- * scaled 0 nothing changes, and sizes more than a factor of 2 apart are noted. */
+/* Scales B to the area of A, about the origin: its channels, its border, its matched points.  If
+ * scaled is 0, nothing changes, but a note is printed if the sizes differ by more than a factor of
+ * 2. */
 void size_match(Morph *m, int scaled);
 
 #endif

@@ -94,7 +94,7 @@ void cmd_read_one(CmdInput *in, Lhg *g);
  * with all its bytes as from cmd_slurp_if. */
 int  cmd_open_or_slurp(CmdInput *in, const char *path, CmdLook *look, char **bytes, size_t *n);
 
-/* Write g to -o or stdout, the step of this command added to its history.  cmd_pass is for a stage
+/* Write g to -o or stdout, with the step of this command in its history.  cmd_pass is for a stage
  * that writes one grid for each grid of in: after the last frame of a set, if in has more, it also
  * begins the next header, so that the output is incomplete if this stage then fails or is
  * killed. */
@@ -105,9 +105,9 @@ void cmd_pass(const CmdInput *in, Lhg *g);
  * time. */
 void cmd_write_bytes(const char *path, const void *bytes, size_t n);
 
-/* cmd_need returns the samples of a channel.  It dies if the channel is missing, and names the
- * command that makes it, or if the channel has another support.  cmd_add appends a channel of zeros,
- * or dies. */
+/* cmd_need returns the samples of a channel.  It dies if the channel has another support or is
+ * missing; the message then names the command that makes it.  cmd_add appends a channel of zeros, or
+ * dies. */
 double *cmd_need(const CmdInput *in, const Lhg *g, const char *name, int support);
 double *cmd_add(Lhg *g, const char *name, const char *unit, int support, int step);
 

@@ -25,7 +25,7 @@ static struct {
 	LhgStream   grids;              /* the stream of grids on out.f, from the first grid on */
 } output;
 
-/* Called by the signal handler and by die: async-signal-safe. */
+/* Called by the signal handler, too, so it calls only async-signal-safe functions. */
 void
 cmd_drop_output(void)
 {
@@ -43,8 +43,8 @@ on_signal(int sig)
 	raise(sig);
 }
 
-/* The signals that end a process from outside also remove the temporary file, unless they are
- * ignored. */
+/* Makes the signals that end a process from outside remove the temporary file first, unless they
+ * are ignored. */
 static void
 catch_signals(void)
 {

@@ -71,7 +71,7 @@ __wrap_malloc(size_t n)
 	return mark(__real_malloc(n), n);
 }
 
-/* Where calloc returned an array, n*size did not overflow. */
+/* If calloc returned an array, n*size did not overflow. */
 void *
 __wrap_calloc(size_t n, size_t size)
 {

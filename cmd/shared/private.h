@@ -36,8 +36,8 @@ char *history_with_step(const char *past);
 void cmd_close_output(void);    /* finish -o FILE or stdout, or die */
 void cmd_drop_output(void);     /* remove an incomplete file */
 
-/* The file that an output to path replaces, in to[PATH_MAX]: symbolic links are followed, dangling
- * ones too.  Dies if the links form a loop. */
+/* Sets to[PATH_MAX] to the path of the file that an output to path replaces: symbolic links are
+ * followed, dangling ones too.  Dies if the links form a loop. */
 void output_follow_links(const char *path, char *to);
 
 /* ---- descriptor.c ---- */

@@ -11,9 +11,9 @@
  *
  * The loader calls .preinit_array before the constructors of libraries, but an environment
  * made there by setenv is replaced by the C library's.  So each setting replaces a variable
- * that no library reads at its start, and that variable is put back before main.  Without
- * one (env -i), or where the loader knows no .preinit_array (musl), the libraries keep
- * their defaults.
+ * that no library reads at its start, and that variable is put back before main.  If the
+ * environment has no such variable (env -i), or the loader knows no .preinit_array (musl),
+ * the libraries keep their defaults.
  */
 #include <stddef.h>
 #include <string.h>

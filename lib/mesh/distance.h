@@ -15,7 +15,7 @@ enum {
 	DISTANCE_ECGAL  = -4    /* CGAL failed */
 };
 
-/* Maximum and mean distance between vertex i of a and vertex i of b; both have equally many
+/* Maximum and mean distance between vertex i of a and vertex i of b; both must have equally many
  * vertices. */
 void distance_vertices(const Mesh *a, const Mesh *b, double *max, double *mean);
 

@@ -18,12 +18,12 @@ typedef struct Polygon {
 	int   *tri;             /* where the next triangle goes */
 } Polygon;
 
-/* Edges from a to b and to c, scaled so that the largest component is 1.  Returns 0 when they
- * are too short to measure. */
+/* Edges from a to b and to c, scaled so that the largest component is 1.  Returns 0 if they are too
+ * short or too long to measure (POLYGON_TINY). */
 int polygon_edges(const double *a, const double *b, const double *c, double u[3], double v[3]);
 
-/* Shape of the triangle a b c: area over the longest edge squared, at most 0.433, as a
- * vector along its normal; 0 if it is too small to measure. */
+/* Shape of the triangle a b c: area over the longest edge squared, at most 0.433, as a vector along
+ * its normal; 0 if it is too small or too large to measure. */
 void polygon_shape(const double *a, const double *b, const double *c, double n[3]);
 
 /* Splits p by clipping ears.  Returns 1, or 0 if that is impossible. */

@@ -115,8 +115,8 @@ int stl_read(Reader *r);
 int gunzip(const char *in, size_t n, size_t most, char **out, size_t *nout, char err[MESH_ERRLEN]);
 
 /* Unpacks the beginning of gzip data to out, which has room for `room` bytes, fewer than 4 GiB.
- * Returns the number of unpacked bytes, which is 0 also if the data are damaged or memory runs
- * out. */
+ * Returns the number of unpacked bytes: those before the damage if the data are damaged, 0 if memory
+ * runs out. */
 size_t gunzip_head(const char *in, size_t n, char *out, size_t room);
 
 /* An unsigned integer, or a float or double, of n bytes; big: most significant byte first. */

@@ -142,7 +142,7 @@ cornertexture(Obj *o, const char *slash, const char *end)
 	return 0;
 }
 
-/* a, a/b, a//c or a/b/c */
+/* Reads a corner: a, a/b, a//c or a/b/c. */
 static int
 corner(Obj *o, Token t)
 {

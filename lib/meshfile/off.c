@@ -191,7 +191,7 @@ binface(Off *o)
 		if ((e = soup_corner(r, word4(o, r->p))) != 0)
 			return e;
 	if (o->colours)
-		r->p += 4 + 4*word4(o, r->p);           /* within the file, by hascolours */
+		r->p += 4 + 4*word4(o, r->p);   /* not beyond the end: hascolours checked it */
 	return soup_face(r);
 }
 

@@ -184,7 +184,7 @@ bytes(const char *p, int n, int big)
 	return w;
 }
 
-/* With n and big constant, the compiler makes a single load of the loop. */
+/* With n and big constant, the compiler turns the loop in bytes() into a single load. */
 unsigned long long
 scan_bytes(const char *p, int n, int big)
 {

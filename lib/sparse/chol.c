@@ -6,7 +6,7 @@
 #include "etree.h"
 #include "front.h"
 
-enum { FEW = 16 };      /* the most columns of a node that counts as small */
+enum { FEW = 16 };      /* a node of at most this many columns counts as small */
 
 /* A supernode under construction: its first column, and the numbers of its columns, of rows below
  * them, and of stored zeros. */
@@ -88,7 +88,7 @@ store_nodes(Chol *c, const Node *node, int nodes)
 }
 
 /* Finds the rows below each node, in ascending order.  An entry of the matrix in row p adds row p
- * to the node of its column and to the ancestors of that node, up to but without the node of p.
+ * to the node of its column and to the ancestors of that node, up to, but not including, that of p.
  * Scratch: mark[s], the last row added to node s; node[p], the node of column p; end[s], where the
  * rows of node s end so far. */
 static void

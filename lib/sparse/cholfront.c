@@ -35,7 +35,7 @@ panel_row(const Front *f, int i)
 	return f->panel + front_panel(f, i/PRODUCT_ROWS) + i%PRODUCT_ROWS;
 }
 
-/* The entry in column 0 of row r below the eliminated rows. */
+/* The entry in column 0 of row r of those below the eliminated rows. */
 static inline double *
 below_row(const Front *f, int r)
 {

@@ -34,8 +34,8 @@ degree(const Graph *g, int i)
 
 /* Orders a small piece by minimum degree, with bit sets.  near[i] is the set of the remaining
  * neighbours of i in the piece.  outer[i] estimates the number of its neighbours outside the piece:
- * when a vertex is eliminated, its neighbours get at least its number.  cost[i] is the number of
- * neighbours of both kinds. */
+ * when a vertex is eliminated, the estimates of its neighbours are raised to at least its own.
+ * cost[i] is the number of neighbours of both kinds. */
 static void
 order_leaf(const Piece *p, const Graph *whole)
 {
@@ -118,8 +118,8 @@ order_whole(const Piece *p)
 	return 0;
 }
 
-/* Makes the halves of p, and puts the separator at the end of its order.  count comes from split();
- * work is scratch, [n]. */
+/* Makes the halves of p, and puts the separator at the end of the order of p.  count comes from
+ * split(); work is scratch, [n]. */
 static int
 extract_halves(const Piece *p, const signed char *side, const int count[3], int *work, Piece half[2])
 {

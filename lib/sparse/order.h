@@ -18,8 +18,8 @@ typedef struct Graph {
 
 /* order   out  [n] vertex order[0] is eliminated first
  *
- * Takes memory for at most 14 numbers for each edge, and time of order n log n.  The order is the
- * same for any number of threads.  Returns 0 or ORDER_ENOMEM. */
+ * Takes memory for at most 14 ints for each edge, and time in proportion to n log n.  The order is
+ * the same for any number of threads.  Returns 0 or ORDER_ENOMEM. */
 int order_graph(const Graph *g, int *order);
 
 #endif

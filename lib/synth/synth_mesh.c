@@ -102,7 +102,7 @@ side_lengths(const Plan *plan, int k, double len[PIECES + 1])
 	return len[PIECES];
 }
 
-/* Appends the points of side k without its ends, evenly spaced. */
+/* Appends evenly spaced points of side k, without its ends. */
 static int
 side_points(const Plan *plan, int k, Points *p)
 {

@@ -189,7 +189,7 @@ torus_v(const double *p, double y)
 static void
 torus_domain(const double *p, SynthDomain *d)
 {
-	if (p[1] < p[0])        /* otherwise the tube meets itself: an empty box */
+	if (p[1] < p[0])        /* otherwise the tube meets itself, and the box stays empty: an error */
 		box(d, 0, DEG*p[2], torus_y(p, DEG*p[3]), torus_y(p, DEG*p[4]));
 }
 

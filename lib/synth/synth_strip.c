@@ -12,8 +12,8 @@ spiral_s(double a, double t)
 	return a/2*(t*sqrt(1 + t*t) + asinh(t));
 }
 
-/* Its inverse by Newton's method: s is convex, so from a start above t the iterates descend to
- * t. */
+/* The inverse of spiral_s, by Newton's method.  spiral_s is convex in t, so from a start above the
+ * result the iterates descend to it. */
 static double
 spiral_t(double a, double s)
 {
