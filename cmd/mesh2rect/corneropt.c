@@ -74,7 +74,7 @@ read_file(const char *path, Given *g)
 	free(s);
 }
 
-/* The number in the disk of the vertex with number x in the file, or die. */
+/* Converts x, a vertex number of the file, to the vertex number in the disk; or dies. */
 static int
 vertex(const Disk *d, double x)
 {

@@ -76,8 +76,8 @@ open_temp(char *name)
 	return fd;
 }
 
-/* Writes the n bytes at rest, and a NUL, to to[dir..]; dies with path in the message if there is
- * no room. */
+/* Copies the n bytes at rest, and a NUL, to offset dir of `to`; dies with path in the message if
+ * there is no room. */
 static void
 put_path(const char *path, char to[PATH_MAX], size_t dir, const char *rest, size_t n)
 {

@@ -5,8 +5,8 @@
 
 typedef struct Off {
 	Reader *r;
-	int  extra;             /* numbers after x y z at every vertex, by the keyword: for binary */
-	int  width;             /* the same number, as counted at vertex 0: for ASCII */
+	int  extra;             /* binary: how many numbers follow x y z, as the keyword says */
+	int  width;             /* ASCII: the same, as counted at vertex 0 */
 	int  big, colours;      /* binary: big-endian; each face ends with a count of colours */
 	long long nv, nf;
 } Off;

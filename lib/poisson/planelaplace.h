@@ -16,7 +16,7 @@ enum { PLANELAPLACE_ENOMEM = -1 };
 
 typedef struct PlaneLaplace {
 	Chart     g;
-	int       axis;                 /* the held nodes: 0: i = 0 and nu-1; 1: j = 0 and nv-1 */
+	int       axis;                 /* 0: nodes i = 0, nu-1 are held at 0; 1: j = 0, nv-1 */
 	int       i0, j0, n[2];         /* the free nodes: n[0] from i0 along u, n[1] from j0 */
 	double   *work;                 /* [n[1]][n[0]] */
 	double   *stiff[2], *mass[2];   /* [n[axis]] eigenvalues of the 1D matrices */

@@ -93,7 +93,7 @@ start(Work *w)
 	cholmod_start(&w->c);
 	w->c.print = 0;
 	w->c.nmethods = 1;
-	w->c.final_ll = 1;              /* L L': L D L' would accept a negative pivot */
+	w->c.final_ll = 1;              /* factor into L L': L D L' would accept a negative pivot */
 }
 
 /* ordering is one of CHOLMOD's methods; order is used with CHOLMOD_GIVEN only. */
