@@ -90,8 +90,8 @@ morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks
 		align(m);
 }
 
-/* Moves the border of g, which was interpolated between equal places of the rectangle, to the border
- * interpolated by landmarks (matching.h).  The other positions move with it. */
+/* The border of g was interpolated between the points of A and B at the same (u,v).  Moves it to the
+ * border that the landmarks define (matching.h), and the other positions along with it (coons.h). */
 static void
 follow_landmarks(const Morph *m, double t, Lhg *g)
 {

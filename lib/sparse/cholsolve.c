@@ -128,8 +128,8 @@ substitute_all(const Run *r, double *z)
 	return nomemory ? CHOL_ENOMEM : 0;
 }
 
-/* The work of the subtree of each node: the number of multiplications, plus 1000 for each node as
- * overhead.  Entry [nodes] is the total. */
+/* The estimated work in the subtree of each node: w m^2 for a node whose part of the factor is m x w,
+ * plus 1000 for each node as overhead.  Entry [nodes] is the total. */
 static double *
 count_work(const Chol *c)
 {

@@ -118,8 +118,8 @@ residuals(const Misfit *m, const Local *a, const Quad *q, Nodes r[MISFIT_PARTS])
 	}
 }
 
-/* dr for a displacement d.  With c = phi_u x phi_v:  dn = (dc - <dc, n> n)/|c|, or
- * dc over the area element if that is known. */
+/* dr for a displacement d.  With c = phi_u x phi_v and n = c/area:  dn = (dc - <dc, n> n)/area, or
+ * dn = dc/area where the area element is known, so that it does not change with d. */
 INLINE void
 change(const Local *a, const double *d, const Quad *q, Nodes r[MISFIT_PARTS])
 {

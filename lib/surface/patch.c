@@ -115,7 +115,8 @@ list_rows(Patch *p)
 }
 
 /* The pattern of A_SS: column b has the blocks list[b][0], list[b][1], .. of three rows. */
-enum { MOST = 32 };             /* blocks in a column: nodes of one or two stencils with it */
+enum { MOST = 32 };             /* room for the blocks of a column: nodes that share a five-point
+                                 * stencil with its node, at most 13 on the rectangle */
 
 static int
 find(const int *list, int count, int a)
