@@ -1,6 +1,5 @@
 /* gradient.c - neighbourhoods of the vertices, and the limits on the fitted derivatives. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "polyfit.h"
@@ -9,106 +8,8 @@
 
 enum {
 	ENOUGH = 15,    /* rings are added until there are more points than this, */
-	RINGS  = 6,     /* or this many rings */
-	FAN    = 16     /* join_neighbours visits at most this many triangles of a vertex: otherwise a
-	                 * vertex of a million triangles would cost each neighbour a million visits */
+	RINGS  = 6      /* or this many rings */
 };
-static const double WAVES = 100;        /* radians per unit of u, in chart_keys */
-
-/* Sets a key for each vertex, a number by which to sort.  It depends only on the place in the
- * rectangle, not on the numbering of the vertices, and does not change when the rectangle is
- * reflected in u or v. */
-static void
-chart_keys(int nv, const double *u, const double *v, double *key)
-{
-	double T = 0;
-	int i;
-
-	for (i = 0; i < nv; i++)
-		T = fmax(T, v[i]);
-	for (i = 0; i < nv; i++)
-		key[i] = sin(WAVES*fabs(u[i] - 0.5)) + sin(1.1*WAVES*fabs(v[i] - T/2));
-}
-
-typedef struct Spoke {
-	double key;
-	int    side;
-} Spoke;
-
-static int
-by_key(const void *a, const void *b)
-{
-	const Spoke *p = a, *q = b;
-
-	return p->key != q->key ? (p->key < q->key ? -1 : 1) : (p->side > q->side) - (p->side < q->side);
-}
-
-/* Sorts the n triangles at a vertex by the sum of the keys of their two other vertices. */
-static void
-sort_star(const Mesh *m, const double *key, int n, int *side, Spoke *spoke)
-{
-	int k, l;
-	Spoke next;
-
-	for (k = 0; k < n; k++) {
-		next = (Spoke){ 0, side[k] };
-		next.key = key[m->tri[topology_next(side[k])]] + key[m->tri[topology_next(topology_next(side[k]))]];
-		for (l = k; n <= FAN && l > 0 && by_key(&spoke[l-1], &next) > 0; l--)
-			spoke[l] = spoke[l-1];
-		spoke[l] = next;
-	}
-	if (n > FAN)
-		qsort(spoke, n, sizeof *spoke, by_key);
-	for (k = 0; k < n; k++)
-		side[k] = spoke[k].side;
-}
-
-/* Fills s->first and s->side.  Returns the largest number of triangles at a vertex. */
-static int
-fill(Stars *s, const Mesh *m)
-{
-	int i, k, most = 0;
-
-	for (k = 0; k < 3*m->nf; k++)
-		s->first[m->tri[k] + 2]++;
-	for (i = 0; i < m->nv; i++) {
-		most = s->first[i + 2] > most ? s->first[i + 2] : most;
-		s->first[i + 2] += s->first[i + 1];
-	}
-	for (k = 0; k < 3*m->nf; k++)
-		s->side[s->first[m->tri[k] + 1]++] = k;
-	return most;
-}
-
-int
-stars_init(Stars *s, const Mesh *m, const double *u, const double *v)
-{
-	double *key = malloc(m->nv*sizeof *key + 1);
-	Spoke *spoke = NULL;
-	int i;
-
-	s->first = calloc((size_t)m->nv + 2, sizeof *s->first);
-	s->side = malloc((3*(size_t)m->nf + 1)*sizeof *s->side);
-	if (key && s->first && s->side)
-		spoke = malloc(fill(s, m)*sizeof *spoke + 1);
-	if (spoke) {
-		chart_keys(m->nv, u, v, key);
-		for (i = 0; i < m->nv; i++)
-			sort_star(m, key, s->first[i + 1] - s->first[i], &s->side[s->first[i]], spoke);
-	} else
-		stars_free(s);
-	free(key);
-	free(spoke);
-	return s->side ? 0 : GRADIENT_ENOMEM;
-}
-
-void
-stars_free(Stars *s)
-{
-	free(s->first);
-	free(s->side);
-	s->first = s->side = NULL;
-}
 
 static void
 join(Hood *h, int v)
@@ -124,7 +25,7 @@ join(Hood *h, int v)
 	h->slot[k] = h->n;
 }
 
-/* Adds the neighbours of vertex i to h; only some of them if i has more than FAN triangles.  In each
+/* Adds the neighbours of vertex i to h; at a hub only those in the first few[i] triangles.  In each
  * triangle the side opposite to i has two ends, which are neighbours of i.  The first loop adds the
  * first ends.  If the triangles surround i, the second ends are the same vertices as the first ends,
  * so `open`, the sum of the first minus the second vertex numbers, is 0 and all neighbours are
@@ -132,15 +33,15 @@ join(Hood *h, int v)
 static void
 join_neighbours(const Mesh *m, const Stars *s, Hood *h, int i)
 {
-	int last = s->first[i + 1], step = 1 + (last - s->first[i] - 1)/FAN, l, side;
+	int last = s->first[i] + s->few[i], l, side;
 	unsigned open = 0;
 
-	for (l = s->first[i]; l < last; l += step) {
+	for (l = s->first[i]; l < last; l++) {
 		side = topology_next(s->side[l]);
 		join(h, m->tri[side]);
 		open += (unsigned)m->tri[side] - (unsigned)m->tri[topology_next(side)];
 	}
-	for (l = s->first[i]; l < last && (open || step > 1); l += step)
+	for (l = s->first[i]; l < last && (open || last < s->first[i + 1]); l++)
 		join(h, m->tri[topology_next(topology_next(s->side[l]))]);
 }
 
@@ -280,7 +181,7 @@ fit_vertex(const Mesh *m, const Stars *s, const double *u, const double *v, int 
 	}
 	for (degree = 3; degree > 0; degree--) {
 		polyfit_jet(&f, degree, jet);
-		most = s->first[i+1] - s->first[i] <= FAN && clearly_within(m, u, v, jet, h.v, near) ? 1
+		most = s->first[i+1] - s->first[i] <= STARS_FEW && clearly_within(m, u, v, jet, h.v, near) ? 1
 		    : limiting_factor(m, s, u, v, jet, i);
 		if (most >= 1)
 			break;

@@ -30,9 +30,7 @@
 #ifndef GRADIENT_H
 #define GRADIENT_H
 
-#include "../mesh/mesh.h"
-
-enum { GRADIENT_ENOMEM = -1 };
+#include "stars.h"
 
 #define GRADIENT_BEND 1.5
 
@@ -40,17 +38,6 @@ enum { GRADIENT_ENOMEM = -1 };
 typedef struct Jet {
 	double u[3], v[3], uu[3], uv[3], vv[3];
 } Jet;
-
-/* The star of each vertex, that is, the triangles at it.  Those of vertex i are side[first[i]] ..
- * side[first[i+1]-1], each as 3*t + k, where i is corner k of triangle t.  Within a star they are
- * sorted by (u,v), so that their order does not depend on how vertices and triangles are numbered. */
-typedef struct Stars {
-	int *first, *side;
-} Stars;
-
-/* Returns 0, or GRADIENT_ENOMEM with nothing to free. */
-int  stars_init(Stars *s, const Mesh *m, const double *u, const double *v);
-void stars_free(Stars *s);
 
 /* Flags of the state of a vertex.  The caller sets GRADIENT_WANTED; gradient_fit replaces it by
  * GRADIENT_KNOWN, and adds GRADIENT_LOW and GRADIENT_LIMITED where they apply. */
