@@ -9,6 +9,8 @@
 static const double THIN = 1e-10;       /* two sides together exceed the third by at least this
                                          * times the shortest */
 enum { PASSES = 100 };                  /* rounds of mollification, at most */
+static const double EQUAL = 1e-6;       /* relative difference of two lengths that differ by rounding
+                                         * only */
 static const double STEEPEST = 1e10;    /* largest cotangent: beside a larger one, the others in its
                                          * row of the matrix would vanish in rounding */
 
@@ -85,50 +87,102 @@ intrinsic_init(Intrinsic *t, const Disk *d)
 	return 0;
 }
 
-/* Sets *shortest to the shortest edge of triangle f.  Returns by how much it must grow; at most 0 if
- * it is long enough. */
+/* Sets *low to the length of the shortest edge of triangle f.  Returns by how much it must grow; at
+ * most 0 if it is long enough. */
 static double
-shortfall(const Intrinsic *t, int f, int *shortest)
+shortfall(const Intrinsic *t, int f, double *low)
 {
-	double sum = 0, low = HUGE_VAL, high = 0;
+	double sum = 0, high = 0;
 	int k;
 
+	*low = HUGE_VAL;
 	for (k = 0; k < 3; k++) {
 		double l = intrinsic_length(t, 3*f + k);
 
 		sum += l;
 		high = fmax(high, l);
-		if (l < low) {
-			low = l;
-			*shortest = t->edge[3*f+k];
+		*low = fmin(*low, l);
+	}
+	return THIN**low - (sum - 2*high);
+}
+
+/* The triangles to look at and the edges to lengthen, each at most once. */
+typedef struct Mollifier {
+	int           *face, faces, *edge, edges;
+	unsigned char *on;      /* [nf] 1 if the triangle is in face */
+	double        *more;    /* [ne] by how much an edge is lengthened, 0 if it is not in edge */
+} Mollifier;
+
+static void
+look_at(Mollifier *m, int side)
+{
+	if (side < 0 || m->on[side/3])
+		return;
+	m->on[side/3] = 1;
+	m->face[m->faces++] = side/3;
+}
+
+/* Lists the shortest edges of the listed triangles, where they are too short; all, if several are
+ * equal up to rounding. */
+static void
+find_short_edges(const Intrinsic *t, Mollifier *m)
+{
+	int i, k;
+
+	for (m->edges = 0, i = 0; i < m->faces; i++) {
+		int f = m->face[i];
+		double low, need = shortfall(t, f, &low);
+
+		m->on[f] = 0;
+		for (k = 0; k < 3 && need > 0; k++) {
+			int e = t->edge[3*f+k];
+
+			if (t->length[e] > low*(1 + EQUAL))
+				continue;
+			if (m->more[e] == 0)
+				m->edge[m->edges++] = e;
+			m->more[e] = fmax(m->more[e], need);
 		}
 	}
-	return THIN*low - (sum - 2*high);
+}
+
+/* Lengthens the listed edges, and lists the triangles at them. */
+static void
+lengthen(Intrinsic *t, Mollifier *m)
+{
+	int i;
+
+	for (m->faces = 0, i = 0; i < m->edges; i++) {
+		int e = m->edge[i];
+
+		t->length[e] += m->more[e]*(1 + THIN);
+		m->more[e] = 0;
+		look_at(m, t->side[e]);
+		look_at(m, t->twin[t->side[e]]);
+	}
 }
 
 int
 intrinsic_mollify(Intrinsic *t)
 {
-	double *more = malloc(t->ne*sizeof *more);
-	int f, e = 0, k, changed = 1;
+	Mollifier m = { malloc(t->nf*sizeof *m.face), 0, malloc(t->ne*sizeof *m.edge), 0, calloc(t->nf, 1),
+		calloc(t->ne, sizeof *m.more) };
+	int k, f, e = INTRINSIC_ENOMEM;
 
-	if (!more)
-		return INTRINSIC_ENOMEM;
-	for (k = 0; k < PASSES && changed; k++) {
-		memset(more, 0, t->ne*sizeof *more);
-		for (f = 0; f < t->nf; f++) {
-			double need = shortfall(t, f, &e);
-
-			more[e] = fmax(more[e], need);
+	if (m.face && m.edge && m.on && m.more) {
+		for (f = 0; f < t->nf; f++)
+			look_at(&m, 3*f);
+		for (k = 0; k < PASSES && m.faces > 0; k++) {
+			find_short_edges(t, &m);
+			lengthen(t, &m);
 		}
-		for (changed = 0, e = 0; e < t->ne; e++)
-			if (more[e] > 0) {
-				t->length[e] += more[e]*(1 + THIN);
-				changed = 1;
-			}
+		e = 0;
 	}
-	free(more);
-	return 0;
+	free(m.face);
+	free(m.edge);
+	free(m.on);
+	free(m.more);
+	return e;
 }
 
 void
