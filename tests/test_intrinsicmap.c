@@ -203,6 +203,56 @@ random_disks_are_mapped(void **state)
 	assert_true(soak || seed <= 100);
 }
 
+/* Makes a square of 5 x 5 vertices, moved a little, with its middle vertex drawn out to a
+ * crooked spike.  The corners of the square are vertices 0, 4, 24, 20. */
+static void
+spike(Disk *d)
+{
+	double xyz[3*25];
+	int tri[3*32], i, n = 0;
+
+	for (i = 0; i < 25; i++) {
+		xyz[3*i] = i%5 + .2*sin(7.0*i), xyz[3*i+1] = i/5 + .2*sin(5.0*i + 1);
+		xyz[3*i+2] = .1*sin(3.0*i);
+	}
+	xyz[3*12] += 20, xyz[3*12+1] += 6, xyz[3*12+2] = 20;
+	for (i = 0; i < 19; i++)
+		if (i%5 < 4) {
+			memcpy(&tri[n], (int[]){ i, i + 1, i + 6, i, i + 6, i + 5 }, 6*sizeof *tri);
+			n += 6;
+		}
+	assert_int_equal(disks_of(25, xyz, n/3, tri, d), 0);
+}
+
+/* At the tip of a spike the intrinsic triangulation has loops, which are split.  How many points are
+ * added does not depend on the numbering of the vertices. */
+static void
+spike_is_split_in_one_way(void **state)
+{
+	static const int corner[4] = { 0, 4, 24, 20 };
+	int number[25], vertex[4], k, n = 0;
+	Embeddable s;
+	Disk d, other;
+	uint64_t seed;
+
+	(void)state;
+	spike(&d);
+	for (seed = 0; seed < 20; seed++) {
+		assert_int_equal(disks_renumbered(&d, seed, &other, number), 0);
+		for (k = 0; k < 4; k++)
+			vertex[k] = number[corner[k]];
+		assert_int_equal(embed_init(&s, &other, vertex), 0);
+		assert_int_equal(embed(&s, 1000), 0);
+		if (seed == 0)
+			n = s.mesh.d.m.nv;
+		assert_true(n > 27);
+		assert_int_equal(s.mesh.d.m.nv, n);
+		embed_free(&s);
+		disk_free(&other);
+	}
+	disk_free(&d);
+}
+
 /* A similarity: x is rotated about (1,2,2)/3 by `angle`, multiplied by scale and translated by
  * offset. */
 typedef struct Motion {
@@ -325,6 +375,7 @@ main(void)
 		cmocka_unit_test(quadratic_elements_lower_the_certificate),
 		cmocka_unit_test(stops_at_the_limit),
 		cmocka_unit_test(random_disks_are_mapped),
+		cmocka_unit_test(spike_is_split_in_one_way),
 		cmocka_unit_test(same_disk_has_the_same_grid),
 	};
 

@@ -55,6 +55,8 @@ mark_doubled(const Intrinsic *t, const int *first, const int *at, int *last, uns
 
 			intrinsic_ends(t, e, end);
 			j = end[0] == i ? end[1] : end[0];
+			if (j == i)
+				continue;       /* a loop */
 			other = last[j];
 			last[j] = e;
 			if (other < 0)
