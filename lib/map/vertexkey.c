@@ -7,21 +7,22 @@
 
 static const double WAVES = 1e4;        /* waves in a distance of 2 pi sqrt(area); rounding errors
                                          * of positions times this are still far below 1 */
-static const double EQUAL = 1e-6;       /* relative difference of two numbers that differ by
-                                         * rounding only */
+static const double EQUAL = 1e-9;       /* relative difference of two sums that differ by rounding
+                                         * only */
 
-/* The corners in an order that depends on their positions alone.  The first is the one with the
- * largest sum of distances from the others; then the loop is followed towards that of its two
- * neighbours for which this sum is larger. */
+/* The corners in an order that depends on the surface alone.  The first is the one with the largest
+ * sum of distances from all vertices; then the loop is followed towards that of its two neighbours
+ * for which this sum is larger.  (The four corners alone do not tell which is which if they form a
+ * rectangle.) */
 static void
-order_corners(const double *xyz, const int vertex[4], int order[4])
+order_corners(const Mesh *m, const int vertex[4], int order[4])
 {
 	double far[4], x[3];
 	int i, k, first = 0, step;
 
 	for (k = 0; k < 4; k++)
-		for (far[k] = 0, i = 0; i < 4; i++) {
-			sub3(&xyz[3*(size_t)vertex[i]], &xyz[3*(size_t)vertex[k]], x);
+		for (far[k] = 0, i = 0; i < m->nv; i++) {
+			sub3(&m->xyz[3*(size_t)i], &m->xyz[3*(size_t)vertex[k]], x);
 			far[k] += norm3(x);
 		}
 	for (k = 1; k < 4; k++)
@@ -39,7 +40,7 @@ vertex_keys(const Mesh *m, const int vertex[4])
 	double *key = malloc(m->nv*sizeof *key), wave = WAVES/sqrt(mesh_area(m)), x[3];
 	int i, k, corner[4];
 
-	order_corners(m->xyz, vertex, corner);
+	order_corners(m, vertex, corner);
 	for (i = 0; key && i < m->nv; i++)
 		for (key[i] = 0, k = 0; k < 4; k++) {
 			sub3(&m->xyz[3*(size_t)i], &m->xyz[3*(size_t)corner[k]], x);
