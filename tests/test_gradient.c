@@ -246,6 +246,48 @@ smooth_surfaces_are_not_limited(void **state)
 		}
 }
 
+/* Adds a vertex in triangle f at the share `near` of the way from its first corner to its middle. */
+static void
+add_near_vertex(Charted *s, int f, double near)
+{
+	int n = s->m.nv++, *tri, c[3], k;
+
+	s->m.tri = realloc(s->m.tri, 3*(s->m.nf + 2)*sizeof *s->m.tri);
+	s->m.xyz = realloc(s->m.xyz, 3*(n + 1)*sizeof *s->m.xyz);
+	s->u = realloc(s->u, (n + 1)*sizeof *s->u);
+	s->v = realloc(s->v, (n + 1)*sizeof *s->v);
+	s->jet = realloc(s->jet, (n + 1)*sizeof *s->jet);
+	assert_true(s->m.tri && s->m.xyz && s->u && s->v && s->jet);
+	tri = s->m.tri;
+	memcpy(c, &tri[3*f], sizeof c);
+	s->u[n] = (1 - near)*s->u[c[0]] + near/3*(s->u[c[0]] + s->u[c[1]] + s->u[c[2]]);
+	s->v[n] = (1 - near)*s->v[c[0]] + near/3*(s->v[c[0]] + s->v[c[1]] + s->v[c[2]]);
+	for (k = 0; k < 3; k++)
+		memcpy(&tri[3*(k ? s->m.nf + k - 1 : f)], (int[]){ c[k], c[(k+1)%3], n }, 3*sizeof *tri);
+	s->m.nf += 2;
+}
+
+/* The difference quotient of two points that nearly coincide is mostly error; so such a neighbour
+ * changes no derivatives, even if it is a little out of place. */
+static void
+ignores_near_duplicates(void **state)
+{
+	Charted s = charted_even(500), t = charted_even(500);
+	int f = s.m.nf/2, i = s.m.tri[3*f], k;
+
+	(void)state;
+	add_near_vertex(&t, f, 1e-7);
+	charted_place(&s, wavy);
+	charted_place(&t, wavy);
+	t.m.xyz[3*s.m.nv + 2] += 1e-7;
+	charted_fit(&s);
+	charted_fit(&t);
+	for (k = 0; k < 15; k++)
+		assert_true(fabs(flat(&s.jet[i])[k] - flat(&t.jet[i])[k]) < (k < 6 ? 1e-2 : 1));
+	charted_free(&s);
+	charted_free(&t);
+}
+
 static void
 follows_motion_and_scale(void **state)
 {
@@ -375,6 +417,7 @@ main(void)
 		cmocka_unit_test(thin_strip),
 		cmocka_unit_test(limits_hold),
 		cmocka_unit_test(smooth_surfaces_are_not_limited),
+		cmocka_unit_test(ignores_near_duplicates),
 		cmocka_unit_test(follows_motion_and_scale),
 		cmocka_unit_test(vertex_of_many_triangles),
 		cmocka_unit_test(same_for_any_number_of_threads),

@@ -8,11 +8,12 @@
  * over two rings of neighbours.  Rings are added, up to six rings and 64 points, until there are
  * more than 15 points and they determine all terms of P.  The points in (u,v) are first transformed
  * linearly to unit variance in all directions, so that neither the unit nor the aspect ratio of the
- * triangles matters; w_j is 1/distance from vertex i in the new coordinates.  The fit is by
- * Householder reflections.  A term that is linearly dependent on earlier ones at these points (few
- * points, or points on few lines) is left out, so terms of high degree are the first to go.  For
- * smooth phi the error is O(h^3) in first derivatives and O(h^2) in second ones, also on the
- * boundary; cubics are exact.
+ * triangles matters; w_j is 1/distance from vertex i in the new coordinates, at most 1000: nearer
+ * neighbours differ by little more than the error of the map.  The fit is by Householder
+ * reflections.  A term that is linearly dependent on earlier ones at these points (few points, or
+ * points on few lines) is left out, so terms of high degree are the first to go.  For smooth phi the
+ * error is O(h^3) in first derivatives and O(h^2) in second ones, also on the boundary; cubics are
+ * exact.
  *
  * Limits.  Creases, noise and overlapping triangles must not make an interpolant of these
  * derivatives overshoot.  With e the step in (u,v) from i to another vertex of a triangle

@@ -18,6 +18,11 @@ static const double NEW = 0.02;
  * extent, or less than TINY in (u,v). */
 static const double FLAT = 1e-10, TINY = 1e-100;
 
+/* A nearer point gets the weight of this distance, in units of the spread of the points.  Otherwise
+ * near duplicates would decide the derivatives, and their difference quotient is mostly error: the
+ * map, and so (u,v), is only known to about this share of an edge. */
+static const double NEAR = 1e-3;
+
 /* The linear map after which the points around the first one have unit variance in all
  * directions; a direction without extent is mapped to 0.  The angle of the principal axes
  * is half the angle of (a - c, 2b), where a, b, c are the entries of the covariance matrix; the
@@ -73,7 +78,7 @@ fill(const Hood *h, const Mesh *m, const double *u, const double *v, Polyfit *f)
 
 		if (!(d > FLAT))
 			continue;
-		w = 1/d;
+		w = 1/larger(d, NEAR);
 		a[0] = w*x, a[1] = w*y;
 		a[2] = w*x*x/2, a[3] = w*x*y, a[4] = w*y*y/2;
 		a[5] = w*x*x*x/6, a[6] = w*x*x*y/2, a[7] = w*x*y*y/2, a[8] = w*y*y*y/6;
