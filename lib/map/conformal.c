@@ -6,7 +6,6 @@
 #include "../intrinsic/overlay.h"
 #include "conformal.h"
 #include "intrinsicmap.h"
-#include "rectmap.h"
 #include "untangle.h"
 
 /* A grid from linear elements is not polished if its mean modulus of the Beltrami coefficient is at
@@ -96,6 +95,18 @@ sample(const Disk *d, const int corner[4], const Solved *m, Chart g, const Confo
 	return e;
 }
 
+/* The number of triangles of d near which the facets must be sampled. */
+static int
+count_flat(const Disk *d, const double *u, const double *v, double T)
+{
+	Locator l = { .m = &d->m, .u = u, .v = v, .T = T };
+	int t, n = 0;
+
+	for (t = 0; t < d->m.nf; t++)
+		n += sampler_is_flat(&l, t);
+	return n;
+}
+
 static int
 sample_adapted(const Disk *d, const int corner[4], const AdaptMap *a, Chart g,
 	const ConformalOptions *options, Conformal *c)
@@ -104,7 +115,7 @@ sample_adapted(const Disk *d, const int corner[4], const AdaptMap *a, Chart g,
 
 	c->certificate = a->certificate;
 	c->vertices = a->mesh.d.m.nv;
-	c->overlaid = rectmap_flipped(&d->m, a->u, a->v) + rectmap_flat(&d->m, a->u, a->v);
+	c->overlaid = count_flat(d, a->u, a->v, a->T);
 	return sample(d, corner, &m, g, options, c);
 }
 
@@ -117,7 +128,7 @@ sample_intrinsic(const Disk *d, const int corner[4], IntrinsicMap *a, Chart g,
 	c->certificate = a->certificate;
 	c->vertices = a->s.t.nv;
 	c->solved_turned = a->turned;
-	c->overlaid = rectmap_flipped(&d->m, a->u, a->v) + rectmap_flat(&d->m, a->u, a->v);
+	c->overlaid = count_flat(d, a->u, a->v, a->T);
 	if ((c->overlaid || options->surface == SAMPLER_FACETS) && overlay(&a->s.t, &a->s.mesh, &a->u, &a->v))
 		return SPD_ENOMEM;
 	m.u = a->u, m.v = a->v;
