@@ -253,6 +253,36 @@ spike_is_split_in_one_way(void **state)
 	disk_free(&d);
 }
 
+/* A surface so far from the origin that the middles of its edges are no binary64 numbers has the
+ * map that it has near the origin. */
+static void
+far_surface_has_the_same_map(void **state)
+{
+	static const int vertex[4] = { 0, 4, 24, 20 };
+	const double unit = 1.0/16384, away = 16384*16384*1024.0;
+	Conformal near, far;
+	int i, k, p;
+	Disk d;
+
+	(void)state;
+	spike(&d);
+	for (i = 0; i < 3*d.m.nv; i++)
+		d.m.xyz[i] = unit*round(d.m.xyz[i]/unit);
+	grid_of(&d, vertex, SAMPLER_FACETS, 0, &near);
+	for (i = 0; i < 3*d.m.nv; i++)
+		d.m.xyz[i] += i%3 == 1 ? -away : away;
+	assert_true(away + unit/2 == away);
+	grid_of(&d, vertex, SAMPLER_FACETS, 0, &far);
+	assert_true(fabs(near.certificate - far.certificate) < 1e-11);
+	assert_true(fabs(near.grid.g.T/far.grid.g.T - 1) < 1e-11);
+	for (k = 0; k < 3; k++)
+		for (p = 0; p < NODES; p++)
+			assert_true(fabs(far.grid.phi[k][p] - (k == 1 ? -away : away) - near.grid.phi[k][p]) <= unit);
+	conformal_free(&near);
+	conformal_free(&far);
+	disk_free(&d);
+}
+
 /* A similarity: x is rotated about (1,2,2)/3 by `angle`, multiplied by scale and translated by
  * offset. */
 typedef struct Motion {
@@ -376,6 +406,7 @@ main(void)
 		cmocka_unit_test(stops_at_the_limit),
 		cmocka_unit_test(random_disks_are_mapped),
 		cmocka_unit_test(spike_is_split_in_one_way),
+		cmocka_unit_test(far_surface_has_the_same_map),
 		cmocka_unit_test(same_disk_has_the_same_grid),
 	};
 

@@ -1,4 +1,5 @@
 /* conformal.c - the conformal grid of a disk. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -142,20 +143,39 @@ missed(const Disk *d, const AdaptMap *a, const AdaptOptions *o)
 	return o->tolerance < 1 && a->certificate > o->tolerance && d->m.nv < o->most;
 }
 
-int
-conformal_grid(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options,
-	Conformal *c, SpdReport *report)
+/* For each axis a number that, subtracted from the coordinates, brings a mesh far from the origin
+ * near it.  The subtraction is exact: the number is a multiple of a power of two that is not less
+ * than the extent of the mesh, and lies between 0 and the middle of the mesh. */
+static void
+find_offset(const Mesh *m, double offset[3])
+{
+	double low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
+	double extent = 0;
+	int i, c;
+
+	for (i = 0; i < m->nv; i++)
+		for (c = 0; c < 3; c++) {
+			low[c] = fmin(low[c], m->xyz[3*(size_t)i + c]);
+			high[c] = fmax(high[c], m->xyz[3*(size_t)i + c]);
+		}
+	for (c = 0; c < 3; c++)
+		extent = fmax(extent, high[c] - low[c]);
+	extent = exp2(ceil(log2(extent)));
+	for (c = 0; c < 3; c++)
+		offset[c] = extent*trunc((low[c]/2 + high[c]/2)/extent);
+}
+
+static int
+map_and_sample(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options, Conformal *c,
+	SpdReport *report)
 {
 	int vertex[4], k, e;
 	AdaptMap a;
 	IntrinsicMap m;
 
-	memset(c, 0, sizeof *c);
 	for (k = 0; k < 4; k++)
 		vertex[k] = d->loop[corner[k]];
-	c->u = malloc(d->m.nv*sizeof *c->u);
-	c->v = malloc(d->m.nv*sizeof *c->v);
-	e = c->u && c->v ? adapt_map(d, vertex, &options->map, &a, report) : SPD_ENOMEM;
+	e = adapt_map(d, vertex, &options->map, &a, report);
 	if (!e) {
 		e = missed(d, &a, &options->map) ? ADAPT_HARD : sample_adapted(d, corner, &a, g, options, c);
 		adapt_free(&a);
@@ -167,6 +187,34 @@ conformal_grid(const Disk *d, const int corner[4], Chart g, const ConformalOptio
 			intrinsic_map_free(&m);
 		}
 	}
+	return e;
+}
+
+/* Points are added in the middle of edges; far from the origin rounding would bend the surface
+ * there.  So it is mapped near the origin. */
+int
+conformal_grid(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options,
+	Conformal *c, SpdReport *report)
+{
+	Disk near = *d;
+	double offset[3];
+	size_t i;
+	int k, e = SPD_ENOMEM;
+
+	memset(c, 0, sizeof *c);
+	find_offset(&d->m, offset);
+	near.m.xyz = malloc(3*(size_t)d->m.nv*sizeof *near.m.xyz);
+	c->u = malloc(d->m.nv*sizeof *c->u);
+	c->v = malloc(d->m.nv*sizeof *c->v);
+	if (near.m.xyz && c->u && c->v) {
+		for (i = 0; i < 3*(size_t)d->m.nv; i++)
+			near.m.xyz[i] = d->m.xyz[i] - offset[i%3];
+		e = map_and_sample(&near, corner, g, options, c, report);
+	}
+	for (k = 0; !e && k < 3; k++)
+		for (i = 0; i < (size_t)c->grid.g.nu*c->grid.g.nv; i++)
+			c->grid.phi[k][i] += offset[k];
+	free(near.m.xyz);
 	if (e)
 		conformal_free(c);
 	return e;
