@@ -104,7 +104,7 @@ count_flat(const Disk *d, const double *u, const double *v, double T)
 	int t, n = 0;
 
 	for (t = 0; t < d->m.nf; t++)
-		n += sampler_is_flat(&l, t);
+		n += locate_is_flat(&l, t);
 	return n;
 }
 

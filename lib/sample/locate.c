@@ -7,22 +7,58 @@
 
 static const double INSIDE = -1e-10;    /* least barycentric coordinate of a point inside */
 
+static const double FLAT = 1e-12;       /* height of a triangle, in units of the longer side of the
+                                         * chart, that is 0 up to rounding: (u,v) have errors of
+                                         * 1e-16, and even a hundred times that must not decide */
+
+/* A triangle in (u,v): its sides from corner 0 to corners 1 and 2, and twice its signed area. */
+typedef struct Image {
+	double bu, bv, cu, cv, area;
+} Image;
+
+static Image
+image(const Locator *l, int t)
+{
+	const int *c = &l->m->tri[3*(size_t)t];
+	Image a = { .bu = l->u[c[1]] - l->u[c[0]], .bv = l->v[c[1]] - l->v[c[0]],
+		.cu = l->u[c[2]] - l->u[c[0]], .cv = l->v[c[2]] - l->v[c[0]] };
+
+	a.area = a.bu*a.cv - a.cu*a.bv;
+	return a;
+}
+
+/* Whether the triangle has no area up to rounding. */
+static int
+is_thin(const Image *a, double T)
+{
+	double du = a->cu - a->bu, dv = a->cv - a->bv, flat = FLAT*fmax(1, T);
+	double longest2 = fmax(a->bu*a->bu + a->bv*a->bv, fmax(a->cu*a->cu + a->cv*a->cv, du*du + dv*dv));
+
+	return !(a->area*a->area > flat*flat*longest2);
+}
+
+int
+locate_is_flat(const Locator *l, int t)
+{
+	Image a = image(l, t);
+
+	return !(a.area > 0) || is_thin(&a, l->T);
+}
+
 /* Sets w to the barycentric coordinates of (x,y) in triangle t.  Returns 0 if t has no area in
  * (u,v). */
 static int
 barycentric(const Locator *l, int t, double x, double y, double w[3])
 {
-	const int *c = &l->m->tri[3*t];
-	double bu = l->u[c[1]] - l->u[c[0]], bv = l->v[c[1]] - l->v[c[0]];
-	double cu = l->u[c[2]] - l->u[c[0]], cv = l->v[c[2]] - l->v[c[0]];
-	double area = bu*cv - cu*bv;
+	int o = l->m->tri[3*(size_t)t];
+	Image a = image(l, t);
 
-	x -= l->u[c[0]];
-	y -= l->v[c[0]];
-	w[1] = (x*cv - cu*y)/area;
-	w[2] = (bu*y - x*bv)/area;
+	x -= l->u[o];
+	y -= l->v[o];
+	w[1] = (x*a.cv - a.cu*y)/a.area;
+	w[2] = (a.bu*y - x*a.bv)/a.area;
 	w[0] = 1 - w[1] - w[2];
-	return area != 0 && isfinite(w[0]);
+	return !is_thin(&a, l->T) && isfinite(w[0]);
 }
 
 static int
@@ -31,17 +67,39 @@ least(const double w[3])
 	return w[0] <= w[1] && w[0] <= w[2] ? 0 : w[1] <= w[2] ? 1 : 2;
 }
 
-/* The triangle across the side of t opposite to corner k.  If that side is on the boundary or k is
- * -1, any neighbour of t except triangle `from`, or -1 if there is none. */
-static int
-step(const Locator *l, int t, int k, int from)
+/* The square of the distance of (x,y) from the middle of triangle t. */
+static double
+distance2(const Locator *l, int t, double x, double y)
 {
-	int i, twin = k < 0 ? -1 : l->twin[3*t + (k + 1)%3];
+	const int *c = &l->m->tri[3*(size_t)t];
 
-	for (i = 0; i < 3 && twin < 0; i++)
-		if (l->twin[3*t + i] >= 0 && l->twin[3*t + i]/3 != from)
-			twin = l->twin[3*t + i];
-	return twin < 0 ? -1 : twin/3;
+	x -= (l->u[c[0]] + l->u[c[1]] + l->u[c[2]])/3;
+	y -= (l->v[c[0]] + l->v[c[1]] + l->v[c[2]])/3;
+	return x*x + y*y;
+}
+
+/* The triangle across the side of t opposite to corner k.  If that side is on the boundary or k is
+ * -1, the neighbour of t whose middle is nearest to (x,y), except triangle `from`; -1 if there is
+ * none. */
+static int
+step(const Locator *l, int t, int k, int from, double x, double y)
+{
+	int i, twin, best = -1;
+	double nearest = 0, d;
+
+	if (k >= 0 && l->twin[3*t + (k + 1)%3] >= 0)
+		return l->twin[3*t + (k + 1)%3]/3;
+	for (i = 0; i < 3; i++) {
+		twin = l->twin[3*t + i];
+		if (twin < 0 || twin/3 == from)
+			continue;
+		d = distance2(l, twin/3, x, y);
+		if (best < 0 || d < nearest) {
+			nearest = d;
+			best = twin/3;
+		}
+	}
+	return best;
 }
 
 /* Walks from triangle t towards the point (x,y).  Returns the triangle that contains the point or,
@@ -55,7 +113,7 @@ walk(const Locator *l, int t, double x, double y, double w[3])
 
 	w[0] = w[1] = -1, w[2] = 3;     /* nothing found yet */
 	for (; t >= 0 && left > 0; left--, from = t, t = next) {
-		k = -1;         /* a flat triangle has no coordinates: go on to any neighbour */
+		k = -1;         /* a flat triangle has no coordinates */
 		if (barycentric(l, t, x, y, here)) {
 			k = least(here);
 			if (here[k] > deepest) {
@@ -68,21 +126,21 @@ walk(const Locator *l, int t, double x, double y, double w[3])
 			if (l->twin[3*t + (k + 1)%3] < 0 && here[(k + 1)%3] >= 0 && here[(k + 2)%3] >= 0)
 				break;          /* the point lies beyond the boundary */
 		}
-		next = step(l, t, k, from);
+		next = step(l, t, k, from, x, y);
 	}
 	return best;
 }
 
-/* Tests all triangles until one contains the point (x,y).  Returns it or, if there is none, the
- * triangle in which the least barycentric coordinate is largest.  On entry w are the coordinates in
- * triangle `best`, the result of the walk; on return w are those in the result. */
+/* Returns the triangle in which the least barycentric coordinate of (x,y) is largest: if several
+ * contain the point, that in which it lies deepest.  On entry w are the coordinates in triangle
+ * `best`, the result of the walk; on return w are those in the result. */
 static int
 search(const Locator *l, int best, double x, double y, double w[3])
 {
 	double here[3];
 	int t;
 
-	for (t = 0; t < l->m->nf && w[least(w)] < INSIDE; t++)
+	for (t = 0; t < l->m->nf; t++)
 		if (barycentric(l, t, x, y, here) && here[least(here)] > w[least(w)]) {
 			memcpy(w, here, sizeof here);
 			best = t;
@@ -137,7 +195,8 @@ locate_from(const Locator *l, int from, double x, double y, double bary[3])
 		return l->corner[corner]/3;
 	}
 	t = walk(l, from, x, y, bary);
-	t = search(l, t, x, y, bary);
+	if (bary[least(bary)] < INSIDE)
+		t = search(l, t, x, y, bary);
 	for (k = 0; k < 3; k++)
 		sum += bary[k] = fmax(bary[k], 0);
 	for (k = 0; k < 3; k++)

@@ -6,11 +6,6 @@
 #include "overlayface.h"
 #include "sampler.h"
 
-static const double FLAT = 1e-12;       /* height of a triangle in (u,v), in units of the longer side of
-                                         * the chart, that is 0 up to rounding: the coordinates have
-                                         * errors of 1e-16, and a hundred times more or less must
-                                         * not decide */
-
 int
 sampler_init(Sampler *s, const Disk *d, const double *u, const double *v, double T, int surface)
 {
@@ -50,17 +45,6 @@ sampler_free(Sampler *s)
 	s->state = NULL;
 }
 
-int
-sampler_is_flat(const Locator *l, int t)
-{
-	const int *c = &l->m->tri[3*(size_t)t];
-	double bu = l->u[c[1]] - l->u[c[0]], bv = l->v[c[1]] - l->v[c[0]];
-	double cu = l->u[c[2]] - l->u[c[0]], cv = l->v[c[2]] - l->v[c[0]];
-	double longest = fmax(hypot(bu, bv), fmax(hypot(cu, cv), hypot(cu - bu, cv - bv)));
-
-	return !(bu*cv - cu*bv > FLAT*fmax(1, l->T)*longest);
-}
-
 /* Sets smooth to 0 at the vertices of triangles that are turned over or flat in (u,v), to 1 at the
  * others. */
 static void
@@ -71,7 +55,7 @@ mark_unturned(const Locator *l, double *smooth)
 	for (i = 0; i < l->m->nv; i++)
 		smooth[i] = 1;
 	for (t = 0; t < l->m->nf; t++)
-		if (sampler_is_flat(l, t))
+		if (locate_is_flat(l, t))
 			for (k = 0; k < 3; k++)
 				smooth[l->m->tri[3*(size_t)t + k]] = 0;
 }

@@ -34,12 +34,7 @@ typedef struct Sampler {
 int  sampler_init(Sampler *s, const Disk *d, const double *u, const double *v, double T, int surface);
 void sampler_free(Sampler *s);
 
-/* Whether triangle t of l->m is turned over or flat in (u,v) up to rounding, that is, less than 1e-12
- * high.  Near (0,0) much smaller triangles have exact areas, near the other corners they do not; so
- * which areas are positive would depend on which corner is (0,0). */
-int  sampler_is_flat(const Locator *l, int t);
-
-/* Call this after sampler_init with SAMPLER_SMOOTH if sampler_is_flat for some triangles.  There may
+/* Call this after sampler_init with SAMPLER_SMOOTH if locate_is_flat for some triangles.  There may
  * be such triangles although the map of the surface is one to one, because the straight edges in
  * (u,v) of a thin triangle may be far from the true, curved ones.  Near them the flat facets are
  * sampled in place of the smooth surface; points are then located in a subdivision of the disk in
