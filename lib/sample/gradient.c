@@ -19,39 +19,88 @@ join(Hood *h, int v)
 	for (; h->slot[k]; k = (k + 1)%(2*POLYFIT_MOST))
 		if (h->v[h->slot[k] - 1] == v)
 			return;
-	if (h->n == POLYFIT_MOST)
+	if (h->n == POLYFIT_MOST) {
+		h->full = 1;
 		return;
+	}
 	h->v[h->n++] = v;
 	h->slot[k] = h->n;
 }
 
-/* Adds the neighbours of vertex i to h; at a hub only those in the first few[i] triangles.  In each
- * triangle the side opposite to i has two ends, which are neighbours of i.  The first loop adds the
- * first ends.  If the triangles surround i, the second ends are the same vertices as the first ends,
- * so `open`, the sum of the first minus the second vertex numbers, is 0 and all neighbours are
- * there.  Otherwise the second loop adds the second ends. */
+/* Adds the neighbours of vertex i to h; at a hub only those of s->near.  In each triangle the side
+ * opposite to i has two ends, which are neighbours of i.  The first loop adds the first ends.  If the
+ * triangles surround i, the second ends are the same vertices as the first ends, so `open`, the sum
+ * of the first minus the second vertex numbers, is 0 and all neighbours are there.  Otherwise the
+ * second loop adds the second ends. */
 static void
 join_neighbours(const Mesh *m, const Stars *s, Hood *h, int i)
 {
-	int last = s->first[i] + s->few[i], l, side;
+	int l, side;
 	unsigned open = 0;
 
-	for (l = s->first[i]; l < last; l++) {
+	if (s->hub[i] >= 0) {
+		const int *near = &s->near[STARS_FEW*(size_t)s->hub[i]];
+
+		for (l = 0; l < STARS_FEW; l++)
+			if (near[l] >= 0)
+				join(h, near[l]);
+		return;
+	}
+	for (l = s->first[i]; l < s->first[i + 1]; l++) {
 		side = topology_next(s->side[l]);
 		join(h, m->tri[side]);
 		open += (unsigned)m->tri[side] - (unsigned)m->tri[topology_next(side)];
 	}
-	for (l = s->first[i]; l < last && (open || last < s->first[i + 1]); l++)
+	for (l = s->first[i]; l < s->first[i + 1] && open; l++)
 		join(h, m->tri[topology_next(topology_next(s->side[l]))]);
 }
 
+/* Leaves the first n points of h. */
 static void
-grow(const Mesh *m, const Stars *s, Hood *h)
+shorten(Hood *h, int n)
 {
-	int end = h->n, k;
+	Hood whole = *h;
+	int k;
 
-	for (k = h->ring; k < end; k++)
+	*h = (Hood){ .ring = n };
+	for (k = 0; k < n; k++)
+		join(h, whole.v[k]);
+}
+
+/* Like join_neighbours, in an order that does not depend on which end of a side is the first: that
+ * which is nearer to h->v[0] in (u,v) comes before the other. */
+static void
+join_nearer_first(const Mesh *m, const Stars *s, const double *u, const double *v, Hood *h, int i)
+{
+	int l, side, a, b, o = h->v[0];
+
+	if (s->hub[i] >= 0) {
+		join_neighbours(m, s, h, i);
+		return;
+	}
+	for (l = s->first[i]; l < s->first[i + 1]; l++) {
+		side = topology_next(s->side[l]);
+		a = m->tri[side], b = m->tri[topology_next(side)];
+		if (hypot(u[b] - u[o], v[b] - v[o]) < hypot(u[a] - u[o], v[a] - v[o]))
+			a = b, b = m->tri[side];
+		join(h, a);
+		join(h, b);
+	}
+}
+
+/* Adds a ring to h, or the part for which there is room. */
+static void
+grow(const Mesh *m, const Stars *s, const double *u, const double *v, Hood *h)
+{
+	int end = h->n, ring = h->ring, k;
+
+	for (k = ring; k < end; k++)
 		join_neighbours(m, s, h, h->v[k]);
+	if (h->full) {
+		shorten(h, end);
+		for (k = ring; k < end; k++)
+			join_nearer_first(m, s, u, v, h, h->v[k]);
+	}
 	h->ring = end;
 }
 
@@ -172,7 +221,7 @@ fit_vertex(const Mesh *m, const Stars *s, const double *u, const double *v, int 
 
 	join(&h, i);
 	for (f.rank = 0, ring = 1; ring <= RINGS && f.rank < POLYFIT_TERMS; ring++) {
-		grow(m, s, &h);
+		grow(m, s, u, v, &h);
 		if (ring == 1)
 			near = h.n;
 		if (ring < 2 || (h.n <= ENOUGH && ring < RINGS))
@@ -181,7 +230,7 @@ fit_vertex(const Mesh *m, const Stars *s, const double *u, const double *v, int 
 	}
 	for (degree = 3; degree > 0; degree--) {
 		polyfit_jet(&f, degree, jet);
-		most = s->first[i+1] - s->first[i] <= STARS_FEW && clearly_within(m, u, v, jet, h.v, near) ? 1
+		most = s->hub[i] < 0 && clearly_within(m, u, v, jet, h.v, near) ? 1
 		    : limiting_factor(m, s, u, v, jet, i);
 		if (most >= 1)
 			break;

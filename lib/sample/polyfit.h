@@ -16,6 +16,7 @@ enum {
  * that finds a vertex in v: its entries are 1 more than indices of v, or 0 if empty. */
 typedef struct Hood {
 	int           n, ring;
+	int           full;     /* 1 if a vertex had no room */
 	int           v[POLYFIT_MOST];
 	unsigned char slot[2*POLYFIT_MOST];
 } Hood;

@@ -8,7 +8,7 @@
 static const double WAVES = 100;        /* radians per side of a square as large as the chart, in
 	                                 * chart_keys */
 
-/* The directions of `meets` in the first eighth of the circle, as (cosine, sine).  The others are
+/* The directions of `direction` in the first eighth of the circle, as (cosine, sine).  The others are
  * their images under the symmetries of the square.  No regular polygon has a corner, or the middle
  * of a side, in one of them: the angles 0.2 and 0.57 are no fractions of pi.  So rounding never
  * decides which triangle of a regular fan a direction meets. */
@@ -65,41 +65,55 @@ sort_star(const Mesh *m, const double *key, int n, int *side, Spoke *spoke)
 		side[k] = spoke[k].side;
 }
 
-/* Whether a ray in one of STARS_FEW directions, from the corner at the start of this side, passes
- * through the triangle.  The directions are spread over the circle, and the reflections and quarter
- * turns of the rectangle exchange them. */
-static int
-meets(const Mesh *m, const double *u, const double *v, int side)
+/* Direction k, 0..STARS_FEW-1, as a unit vector.  The directions are spread over the circle, and the
+ * reflections and quarter turns of the rectangle exchange them. */
+static void
+direction(int k, double d[2])
 {
-	int o = m->tri[side], i = m->tri[topology_next(side)];
-	int j = m->tri[topology_next(topology_next(side))], k;
-	double iu = u[i] - u[o], iv = v[i] - v[o], ju = u[j] - u[o], jv = v[j] - v[o], area = iu*jv - iv*ju;
+	const double *e = DIRECTION[k/8];
 
-	for (k = 0; k < STARS_FEW; k++) {
-		const double *d = DIRECTION[k/8];
-		double x = k & 2 ? -d[k & 1] : d[k & 1], y = k & 4 ? -d[!(k & 1)] : d[!(k & 1)];
-		double after_i = iu*y - iv*x, before_j = x*jv - y*ju;
-
-		if (area > 0 ? after_i > 0 && before_j > 0 : after_i < 0 && before_j < 0)
-			return 1;
-	}
-	return 0;
+	d[0] = k & 2 ? -e[k & 1] : e[k & 1];
+	d[1] = k & 4 ? -e[!(k & 1)] : e[!(k & 1)];
 }
 
-/* Moves those of the n triangles at a vertex that `meets` to the front, and returns their number,
- * at most 2*STARS_FEW. */
+/* If the ray in direction d from the corner at the start of this side passes through the triangle,
+ * returns that of the two other corners whose direction is nearer to d; else -1. */
 static int
-choose(const Mesh *m, const double *u, const double *v, int n, int *side)
+nearest_end(const Mesh *m, const double *u, const double *v, int side, const double d[2])
 {
-	int few = 0, k, s;
+	int o = m->tri[side], i = m->tri[topology_next(side)], j = m->tri[topology_next(topology_next(side))];
+	double iu = u[i] - u[o], iv = v[i] - v[o], ju = u[j] - u[o], jv = v[j] - v[o], area = iu*jv - iv*ju;
+	double after_i = iu*d[1] - iv*d[0], before_j = d[0]*jv - d[1]*ju;
 
-	for (k = 0; k < n && few < 2*STARS_FEW; k++)
-		if (meets(m, u, v, side[k])) {
-			s = side[k];
-			side[k] = side[few];
-			side[few++] = s;
-		}
-	return few > 0 ? few : STARS_FEW;
+	if (area > 0 ? after_i <= 0 || before_j <= 0 : after_i >= 0 || before_j >= 0)
+		return -1;
+	return fabs(after_i)*hypot(ju, jv) < fabs(before_j)*hypot(iu, iv) ? i : j;
+}
+
+/* Sets near to the neighbours of a hub in the directions of STARS_FEW rays, in the order of their
+ * keys, and to -1 for rays that meet none of its n triangles.  If no ray meets any, all of them are
+ * flat, and the first ones are taken. */
+static void
+choose(const Mesh *m, const double *u, const double *v, const double *key, int n, const int *side,
+	int near[STARS_FEW])
+{
+	int k, l, i, found = 0;
+	double d[2];
+
+	for (k = 0; k < STARS_FEW; k++)
+		near[k] = -1;
+	for (k = 0; k < STARS_FEW; k++) {
+		direction(k, d);
+		for (i = -1, l = 0; l < n && i < 0; l++)
+			i = nearest_end(m, u, v, side[l], d);
+		if (i < 0)
+			continue;
+		for (l = found++; l > 0 && key[near[l-1]] > key[i]; l--)
+			near[l] = near[l-1];
+		near[l] = i;
+	}
+	for (k = 0; k < STARS_FEW && !found; k++)
+		near[k] = m->tri[topology_next(side[k])];
 }
 
 /* Fills s->first and s->side.  Returns the largest number of triangles at a vertex. */
@@ -119,6 +133,19 @@ fill(Stars *s, const Mesh *m)
 	return most;
 }
 
+/* Numbers the hubs, and makes room for their neighbours. */
+static int
+find_hubs(Stars *s, int nv)
+{
+	int i, n = 0;
+
+	s->hub = malloc(nv*sizeof *s->hub + 1);
+	for (i = 0; s->hub && i < nv; i++)
+		s->hub[i] = s->first[i + 1] - s->first[i] > STARS_FEW ? n++ : -1;
+	s->near = malloc((size_t)n*STARS_FEW*sizeof *s->near + 1);
+	return s->hub && s->near ? 0 : STARS_ENOMEM;
+}
+
 int
 stars_init(Stars *s, const Mesh *m, const double *u, const double *v)
 {
@@ -126,18 +153,18 @@ stars_init(Stars *s, const Mesh *m, const double *u, const double *v)
 	Spoke *spoke = NULL;
 	int i;
 
-	s->first = calloc((size_t)m->nv + 2, sizeof *s->first);
+	*s = (Stars){ .first = calloc((size_t)m->nv + 2, sizeof *s->first) };
 	s->side = malloc((3*(size_t)m->nf + 1)*sizeof *s->side);
-	s->few = malloc(m->nv*sizeof *s->few + 1);
-	if (key && s->first && s->side && s->few)
+	if (key && s->first && s->side)
 		spoke = malloc(fill(s, m)*sizeof *spoke + 1);
-	if (spoke) {
+	if (spoke && !find_hubs(s, m->nv)) {
 		chart_keys(m->nv, u, v, key);
 		for (i = 0; i < m->nv; i++) {
 			int n = s->first[i + 1] - s->first[i], *side = &s->side[s->first[i]];
 
 			sort_star(m, key, n, side, spoke);
-			s->few[i] = n <= STARS_FEW ? n : choose(m, u, v, n, side);
+			if (s->hub[i] >= 0)
+				choose(m, u, v, key, n, side, &s->near[STARS_FEW*(size_t)s->hub[i]]);
 		}
 	} else
 		stars_free(s);
@@ -151,6 +178,7 @@ stars_free(Stars *s)
 {
 	free(s->first);
 	free(s->side);
-	free(s->few);
-	s->first = s->side = s->few = NULL;
+	free(s->hub);
+	free(s->near);
+	*s = (Stars){ .first = NULL };
 }
