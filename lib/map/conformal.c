@@ -166,8 +166,8 @@ find_offset(const Mesh *m, double offset[3])
 }
 
 static int
-map_and_sample(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options, Conformal *c,
-	SpdReport *report)
+map_and_sample(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options,
+	Conformal *c, SpdReport *report)
 {
 	int vertex[4], k, e;
 	AdaptMap a;
