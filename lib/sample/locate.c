@@ -11,6 +11,9 @@ static const double FLAT = 1e-12;       /* height of a triangle, in units of the
                                          * chart, that is 0 up to rounding: (u,v) have errors of
                                          * 1e-16, and even a hundred times that must not decide */
 
+static const double NARROW = 1e-7;      /* the same, that needles and near duplicates may have by the
+                                         * errors of their own coordinates; far below any cell */
+
 /* A triangle in (u,v): its sides from corner 0 to corners 1 and 2, and twice its signed area. */
 typedef struct Image {
 	double bu, bv, cu, cv, area;
@@ -27,13 +30,14 @@ image(const Locator *l, int t)
 	return a;
 }
 
-/* Whether the triangle has no area up to rounding. */
+/* Whether the triangle is less high than `flat`, in units of the longer side of the chart. */
 static int
-is_thin(const Image *a, double T)
+is_thin(const Image *a, double T, double flat)
 {
-	double du = a->cu - a->bu, dv = a->cv - a->bv, flat = FLAT*fmax(1, T);
+	double du = a->cu - a->bu, dv = a->cv - a->bv;
 	double longest2 = fmax(a->bu*a->bu + a->bv*a->bv, fmax(a->cu*a->cu + a->cv*a->cv, du*du + dv*dv));
 
+	flat *= fmax(1, T);
 	return !(a->area*a->area > flat*flat*longest2);
 }
 
@@ -42,7 +46,7 @@ locate_is_flat(const Locator *l, int t)
 {
 	Image a = image(l, t);
 
-	return !(a.area > 0) || is_thin(&a, l->T);
+	return !(a.area > 0) || is_thin(&a, l->T, NARROW);
 }
 
 /* Sets w to the barycentric coordinates of (x,y) in triangle t.  Returns 0 if t has no area in
@@ -58,7 +62,7 @@ barycentric(const Locator *l, int t, double x, double y, double w[3])
 	w[1] = (x*a.cv - a.cu*y)/a.area;
 	w[2] = (a.bu*y - x*a.bv)/a.area;
 	w[0] = 1 - w[1] - w[2];
-	return !is_thin(&a, l->T) && isfinite(w[0]);
+	return !is_thin(&a, l->T, FLAT) && isfinite(w[0]);
 }
 
 static int

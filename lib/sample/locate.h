@@ -33,9 +33,10 @@ int  locate(const Locator *l, double x, double y, double bary[3]);
  * contain the point; the result is then the first of these on the walk. */
 int  locate_from(const Locator *l, int from, double x, double y, double bary[3]);
 
-/* Whether triangle t of l->m is turned over or flat in (u,v) up to rounding, that is, less than 1e-12
- * high.  Near (0,0) much smaller triangles have exact areas, near the other corners they do not; so
- * which areas are positive would depend on which corner is (0,0). */
+/* Whether triangle t of l->m is turned over or flat in (u,v), or so narrow that the errors of its
+ * coordinates may decide this: less than 1e-7 high, in units of the longer side of the chart.  (Near
+ * (0,0) even triangles far below 1e-16 have exact areas, near the other corners they do not; so the
+ * sign of the area alone would depend on which corner is (0,0).) */
 int  locate_is_flat(const Locator *l, int t);
 
 #endif
