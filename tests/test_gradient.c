@@ -406,6 +406,40 @@ hub_does_not_depend_on_numbering(void **state)
 		}
 }
 
+/* With the points on three lines no cubic is determined, so rings are added as long as there is room.
+ * Which vertices of the last ring have room does not depend on the order of faces and corners, nor on
+ * the orientation. */
+static void
+full_neighbourhood_does_not_depend_on_order(void **state)
+{
+	Charted s = charted_random(300, 3), t = charted_random(300, 3);
+	int i, k, f;
+
+	(void)state;
+	for (i = 0; i < s.m.nv; i++) {
+		s.u[i] += i < 4 ? 0.01*i : 0;           /* no two at the same distance */
+		s.v[i] = t.v[i] = round(2*s.v[i])/2;
+		wavy(s.u[i], s.v[i], &s.m.xyz[3*i], &s.jet[i]);
+		memcpy(&t.m.xyz[3*i], &s.m.xyz[3*i], 3*sizeof *t.m.xyz);
+		t.u[i] = 1 - s.u[i];
+		t.v[i] = 1 - s.v[i];
+	}
+	for (f = 0; f < s.m.nf; f++)
+		for (k = 0; k < 3; k++)
+			t.m.tri[3*(s.m.nf - 1 - f) + k] = s.m.tri[3*f + (4 - k)%3];
+	charted_fit(&s);
+	charted_fit(&t);
+	for (i = 0; i < s.m.nv; i++)
+		for (k = 0; k < 15; k++) {
+			double one = flat(&s.jet[i])[k], other = (k < 6 ? -1 : 1)*flat(&t.jet[i])[k];
+
+			assert_true(fabs(one - other) < 1e-6*(1 + fabs(one)));
+		}
+	assert_int_equal(s.low, s.m.nv);
+	charted_free(&s);
+	charted_free(&t);
+}
+
 int
 main(void)
 {
@@ -422,6 +456,7 @@ main(void)
 		cmocka_unit_test(vertex_of_many_triangles),
 		cmocka_unit_test(same_for_any_number_of_threads),
 		cmocka_unit_test(hub_does_not_depend_on_numbering),
+		cmocka_unit_test(full_neighbourhood_does_not_depend_on_order),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

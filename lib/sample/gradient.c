@@ -55,16 +55,32 @@ join_neighbours(const Mesh *m, const Stars *s, Hood *h, int i)
 		join(h, m->tri[topology_next(topology_next(s->side[l]))]);
 }
 
-/* Leaves the first n points of h. */
-static void
-shorten(Hood *h, int n)
+/* The square of the distance of vertex i from h->v[0] in (u,v). */
+static double
+distance2(const Hood *h, const double *u, const double *v, int i)
 {
-	Hood whole = *h;
-	int k;
+	double du = u[i] - u[h->v[0]], dv = v[i] - v[h->v[0]];
 
-	*h = (Hood){ .ring = n };
-	for (k = 0; k < n; k++)
-		join(h, whole.v[k]);
+	return du*du + dv*dv;
+}
+
+/* Removes what was added to h after the outermost ring, and sorts that ring by distance. */
+static void
+undo_growth(Hood *h, const double *u, const double *v, int end)
+{
+	Hood old = *h;
+	int k, l;
+
+	*h = (Hood){ .ring = old.ring };
+	for (k = 0; k < end; k++) {
+		int i = old.v[k];
+
+		for (l = k; l > old.ring && distance2(&old, u, v, old.v[l-1]) > distance2(&old, u, v, i); l--)
+			old.v[l] = old.v[l-1];
+		old.v[l] = i;
+	}
+	for (k = 0; k < end; k++)
+		join(h, old.v[k]);
 }
 
 /* Like join_neighbours, in an order that does not depend on which end of a side is the first: that
@@ -72,7 +88,7 @@ shorten(Hood *h, int n)
 static void
 join_nearer_first(const Mesh *m, const Stars *s, const double *u, const double *v, Hood *h, int i)
 {
-	int l, side, a, b, o = h->v[0];
+	int l, side, a, b;
 
 	if (s->hub[i] >= 0) {
 		join_neighbours(m, s, h, i);
@@ -81,24 +97,25 @@ join_nearer_first(const Mesh *m, const Stars *s, const double *u, const double *
 	for (l = s->first[i]; l < s->first[i + 1]; l++) {
 		side = topology_next(s->side[l]);
 		a = m->tri[side], b = m->tri[topology_next(side)];
-		if (hypot(u[b] - u[o], v[b] - v[o]) < hypot(u[a] - u[o], v[a] - v[o]))
+		if (distance2(h, u, v, b) < distance2(h, u, v, a))
 			a = b, b = m->tri[side];
 		join(h, a);
 		join(h, b);
 	}
 }
 
-/* Adds a ring to h, or the part for which there is room. */
+/* Adds a ring to h, or the part for which there is room: which part must not depend on the
+ * numbering. */
 static void
 grow(const Mesh *m, const Stars *s, const double *u, const double *v, Hood *h)
 {
-	int end = h->n, ring = h->ring, k;
+	int end = h->n, k;
 
-	for (k = ring; k < end; k++)
+	for (k = h->ring; k < end; k++)
 		join_neighbours(m, s, h, h->v[k]);
 	if (h->full) {
-		shorten(h, end);
-		for (k = ring; k < end; k++)
+		undo_growth(h, u, v, end);
+		for (k = h->ring; k < end; k++)
 			join_nearer_first(m, s, u, v, h, h->v[k]);
 	}
 	h->ring = end;
