@@ -2,6 +2,7 @@
 #include "cmock.h"
 
 #include "../lib/morph/blend.h"
+#include "../lib/scales/borderpart.h"
 #include "../lib/scales/filter.h"
 #include "surfaces.h"
 
@@ -110,48 +111,42 @@ a_wave_is_one_coefficient_or_a_pair(void **state)
 /* Checks that `rule` keeps the wave if the bound is just below `at`, and drops it if the bound is
  * just above. */
 static void
-straddle(Spectrum s, FilterRule rule, double at, int log, double mean, double amplitude)
+straddle(Spectrum s, FilterRule rule, double at, double mean, double amplitude)
 {
 	double f[N], g[N], flat[N];
 	size_t kept, both = s.basis == SPECTRUM_DFT ? 3 : 2;
 	int p;
 
 	wave(s, mean, amplitude, f);
-	for (p = 0; p < N; p++) {
-		f[p] = log ? exp(f[p]) : f[p];
-		flat[p] = log ? exp(mean) : mean;
-	}
+	for (p = 0; p < N; p++)
+		flat[p] = mean;
 	memcpy(g, f, sizeof g);
-	filter(s, rule, 0.9999*at, log, g, &kept);
+	filter(s, rule, 0.9999*at, 0, g, &kept);
 	assert_int_equal(kept, both);
 	assert_true(largest(N, g, f) < 1e-12*flat[0]);
-	filter(s, rule, 1.0001*at, log, f, &kept);
+	filter(s, rule, 1.0001*at, 0, f, &kept);
 	assert_int_equal(kept, 1);
 	assert_true(largest(N, f, flat) < 1e-12*flat[0]);
 }
 
 /* FILTER_PERCENT compares 100 |C|/(n rms) with the bound.  For 5 + 2 wave, |C|/(n rms) is 1/sqrt(27)
  * in the dft, whose wave has mean square 1/2, and 1/sqrt(26) in the dct, whose wave has mean square
- * 1/4.  With logarithms rms is taken without the mean: then the ratios are 1/sqrt(2) and 1. */
+ * 1/4. */
 static void
 percent_of_the_root_mean_square(void **state)
 {
 	(void)state;
-	straddle(DFT, FILTER_PERCENT, 100/sqrt(27), 0, 5, 2);
-	straddle(DCT, FILTER_PERCENT, 100/sqrt(26), 0, 5, 2);
-	straddle(DFT, FILTER_PERCENT, 100/sqrt(27), 0, 5e6, 2e6);
-	straddle(DFT, FILTER_PERCENT, 100/sqrt(2), 1, 5, 2);
-	straddle(DCT, FILTER_PERCENT, 100, 1, 5, 2);
-	straddle(DCT, FILTER_PERCENT, 100, 1, 5 + log(1000), 2);
+	straddle(DFT, FILTER_PERCENT, 100/sqrt(27), 5, 2);
+	straddle(DCT, FILTER_PERCENT, 100/sqrt(26), 5, 2);
+	straddle(DFT, FILTER_PERCENT, 100/sqrt(27), 5e6, 2e6);
 }
 
 static void
 raw_bound(void **state)
 {
 	(void)state;
-	straddle(DFT, FILTER_RAW, N, 0, 5, 2);
-	straddle(DCT, FILTER_RAW, N, 0, 5, 2);
-	straddle(DCT, FILTER_RAW, N, 1, 5, 2);
+	straddle(DFT, FILTER_RAW, N, 5, 2);
+	straddle(DCT, FILTER_RAW, N, 5, 2);
 }
 
 static void
@@ -280,6 +275,40 @@ log_is_free_of_the_unit(void **state)
 	}
 }
 
+/* With logarithms it is d, log f less its border part, that is filtered, and percent are of the root
+ * mean square of d minus its mean. */
+static void
+log_keeps_the_border_part(void **state)
+{
+	static const FilterRule rules[] = { FILTER_PERCENT, FILTER_RAW, FILTER_KEEP, FILTER_ENERGY, FILTER_LOWPASS };
+	static const double bounds[] = { 4, 30, 50, 0.6, 4 };
+	double f[N], d[N], h[N], mean = 0, rms = 0, raw;
+	size_t kept, same;
+	int t, p;
+
+	(void)state;
+	for (t = 0; t < 10; t++) {
+		Spectrum s = t%2 ? DFT : DCT;
+		FilterRule rule = rules[t/2];
+
+		random_field(d, 11);
+		for (p = 0; p < N; p++)
+			f[p] = exp(d[p]);
+		assert_int_equal(border_part(s.g, 1, (const double *const[]){ d }, (double *const[]){ h }), 0);
+		for (mean = rms = p = 0; p < N; p++)
+			mean += (d[p] -= h[p])/N;
+		for (p = 0; p < N; p++)
+			rms += (d[p] - mean)*(d[p] - mean)/N;
+		raw = bounds[t/2]/100*N*sqrt(rms);
+		filter(s, rule, bounds[t/2], 1, f, &kept);
+		filter(s, rule == FILTER_PERCENT ? FILTER_RAW : rule, rule == FILTER_PERCENT ? raw : bounds[t/2], 0, d, &same);
+		assert_int_equal(kept, same);
+		assert_in_range(kept, 2, N - 1);
+		for (p = 0; p < N; p++)
+			assert_true(fabs(log(f[p]) - h[p] - d[p]) < 1e-12);
+	}
+}
+
 /* Filtering is a projection: filtering again changes nothing, and what is dropped is orthogonal
  * to what is kept. */
 static void
@@ -361,6 +390,7 @@ main(void)
 		cmocka_unit_test(energy_holds_the_share),
 		cmocka_unit_test(low_pass_separates_waves),
 		cmocka_unit_test(log_is_free_of_the_unit),
+		cmocka_unit_test(log_keeps_the_border_part),
 		cmocka_unit_test(filter_projects),
 		cmocka_unit_test(bound_zero_keeps_every_bit),
 		cmocka_unit_test(blend_meets_its_ends),

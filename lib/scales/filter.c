@@ -2,11 +2,13 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "borderpart.h"
 #include "filter.h"
 
-/* x is the field to filter, f or log f; C are its coefficients, a their moduli. */
+/* x is the field to filter: f, or log f less its border part h.  C are its coefficients, a their
+ * moduli. */
 typedef struct Waves {
-	double         *x, *a;
+	double         *x, *h, *a;
 	double complex *C;
 } Waves;
 
@@ -14,24 +16,40 @@ static void
 waves_free(Waves *w)
 {
 	free(w->x);
+	free(w->h);
 	free(w->a);
 	free(w->C);
 }
 
 static int
-waves_init(Spectrum s, int logarithm, const double *f, Waves *w)
+set_field(Spectrum s, int logarithm, const double *f, Waves *w)
 {
 	size_t n = (size_t)s.g.nu*s.g.nv, p;
+	int e = 0;
+
+	for (p = 0; p < n; p++)
+		w->x[p] = logarithm ? log(f[p]) : f[p];
+	if (logarithm)
+		e = border_part(s.g, 1, (const double *const[]){ w->x }, &w->h);
+	for (p = 0; p < n; p++)
+		w->x[p] -= w->h[p];
+	return e ? FILTER_ENOMEM : 0;
+}
+
+static int
+waves_init(Spectrum s, int logarithm, const double *f, Waves *w)
+{
+	size_t n = (size_t)s.g.nu*s.g.nv;
 	int e = FILTER_ENOMEM;
 
 	w->x = malloc(n*sizeof *w->x);
+	w->h = calloc(n, sizeof *w->h);
 	w->a = malloc(spectrum_size(s)*sizeof *w->a);
 	w->C = malloc(spectrum_size(s)*sizeof *w->C);
-	if (w->x && w->a && w->C) {
-		for (p = 0; p < n; p++)
-			w->x[p] = logarithm ? log(f[p]) : f[p];
+	if (w->x && w->h && w->a && w->C)
+		e = set_field(s, logarithm, f, w);
+	if (!e)
 		e = spectrum_forward(s, w->x, w->C);
-	}
 	if (e)
 		waves_free(w);
 	else
@@ -172,7 +190,7 @@ filter_field(Spectrum s, const Filter *by, double *f, size_t *kept)
 	if (changed) {
 		e = spectrum_inverse(s, w.C, w.x);
 		for (p = 0; p < n && !e; p++)
-			f[p] = by->log ? exp(w.x[p]) : w.x[p];
+			f[p] = by->log ? exp(w.h[p] + w.x[p]) : w.x[p];
 	}
 	waves_free(&w);
 	return e ? e : changed;
