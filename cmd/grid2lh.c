@@ -4,15 +4,18 @@
 #include "grid2lh/lhchannels.h"
 
 static const char text[] =
-"usage: grid2lh [--residual] [--lattice=N | --no-lattice] [GRID] >lh.lhg\n"
+"usage: grid2lh [--residual] [--lattice=N | --no-lattice] [--no-place] [GRID] >lh.lhg\n"
 "Computes the conformal factor lambda and the mean curvature H of a gridded surface.  Reads\n"
 "channels x y z; writes lambda H, the boundary band band.x band.y band.z (the three outer\n"
-"rings of x y z) and the start start.x start.y start.z (x y z on a coarse lattice of nodes,\n"
-"where lh2grid starts); other channels and metadata pass through.\n"
+"rings of x y z), the start start.x start.y start.z (x y z on a coarse lattice of nodes, where\n"
+"lh2grid starts) and the place place.x place.y place.z (x y z themselves, which lhfft --scale and\n"
+"--relief filter too; nothing else uses them); other channels and metadata pass through.\n"
 "  -m, --mean-curvature=normal|magnitude  H from the part of the Laplacian along the\n"
 "                     normal, or from its length (the paper's (26)) [normal]\n"
 "  -l, --lattice=N    the start has about N nodes along the shorter side, 2..4096 [33]\n"
 "      --no-lattice   write no start\n"
+"      --no-place     write no place: the file has less than half the size (257 x 257 nodes: 1.2\n"
+"                     in place of 2.7 MB), and --scale moves the surface farther\n"
 "  -r, --residual     also write the residual channels, which hold how far the grid is from\n"
 "                     conformal: nu1 = (|x_u|^2-|x_v|^2)/(2 lambda^2), nu2 = x_u.x_v/lambda^2,\n"
 "                     tau1 = x_u.Delta x/lambda^2, tau2 = x_v.Delta x/lambda^2; with them\n"
@@ -27,6 +30,7 @@ static const struct option longopt[] = {
 	{ "mean-curvature", required_argument, NULL, 'm' },
 	{ "lattice",        required_argument, NULL, 'l' },
 	{ "no-lattice",     no_argument,       NULL, 'L' },
+	{ "no-place",       no_argument,       NULL, 'P' },
 	{ "residual",       no_argument,       NULL, 'r' },
 	CMD_LONGOPT
 };
@@ -34,7 +38,7 @@ static const struct option longopt[] = {
 int
 main(int argc, char *argv[])
 {
-	int opt, curvature = LAMBDAH_NORMAL, lattice = 33, residual = 0;
+	int opt, curvature = LAMBDAH_NORMAL, lattice = 33, place = 1, residual = 0;
 	CmdInput in;
 	Lhg g;
 
@@ -44,6 +48,7 @@ main(int argc, char *argv[])
 		case 'm': curvature = opt_word(optarg, "normal\0magnitude\0", "mean-curvature"); break;
 		case 'l': lattice = opt_long(optarg, 2, 4096, "lattice"); break;
 		case 'L': lattice = 0; break;
+		case 'P': place = 0; break;
 		case 'r': residual = 1; break;
 		}
 	cmd_operands(argc, argv, 0, 1);
@@ -51,7 +56,7 @@ main(int argc, char *argv[])
 
 	cmd_open(&in, argv[optind]);
 	while (cmd_read(&in, &g)) {
-		lhchannels(&in, &g, curvature, lattice, residual);
+		lhchannels(&in, &g, curvature, lattice, place, residual);
 		cmd_pass(&in, &g);
 		lhg_free(&g);
 	}

@@ -3,57 +3,55 @@
 #include <string.h>
 
 #include "shared/cmd.h"
+#include "shared/place.h"
 #include "lhfft/scales.h"
 #include "lhfft/spectable.h"
 
-enum { K_LAMBDA = 256, K_H, BENDING, NO_BENDING, SPECTABLE = CMD_UNRECORDED };
+enum { K_LAMBDA = 256, K_H, BENDING, NO_BENDING, SCALE, RELIEF, PAPER, SPECTABLE = CMD_UNRECORDED };
 
 static const char text[] =
-"usage: lhfft -K X[,X..] | --keep=N[,..] | --energy=SHARE[,..] | --low-pass=R[,..] [LH]\n"
-"             >lh.lhg\n"
-"Drops Fourier coefficients of lambda and H: small ones, or those of short waves.  Reads and\n"
-"writes channels lambda H; other channels and metadata pass through.  A list of numbers makes\n"
-"a stream of the one grid of the input: a grid for each number, in this order, with the number\n"
-"in its metadata.  The metadatum waves says what is kept, for grid2mesh --detail=smooth: the\n"
-"cycles per width up to which there are as many waves.\n"
-"  -K, --bound=X      drop the coefficients C with |C| <= X percent of the field's root\n"
-"                     mean square, that is with |C|/(nodes rms) 100 <= X; 0 changes\n"
-"                     nothing; X >= 0\n"
-"      --K-lambda=X, --K-H=X  a bound for one field, in place of -K; without -K the\n"
-"                     other field is not changed.  With --bending, --K-H is for lambda H\n"
-"      --raw          compare X with |C| itself, as equation (32) is written\n"
-"      --keep=N       keep the N largest coefficients of each field, N >= 1\n"
-"      --energy=SHARE keep the largest coefficients that hold SHARE of the energy of the\n"
-"                     field, sum |C|^2 without the mean; 0..1, 1 changes nothing\n"
-"      --low-pass=R   keep the waves of up to R cycles per width of the rectangle, in\n"
-"                     every direction; R >= 0\n"
+"usage: lhfft --scale=L[,L..] | --relief=TAU[,..] | -K X[,X..] | --keep=N[,..] |\n"
+"             --energy=SHARE[,..] | --low-pass=R[,..] [LH] >lh.lhg\n"
+"Smooths lambda and H.  Other channels and metadata pass through.  A list of numbers makes a\n"
+"stream of the one grid of the input: a grid for each number, with the number in its metadata.\n"
+"On the surface, with the channels place.x place.y place.z (positions, which lh2grid then keeps\n"
+"to in long waves); L and TAU are lengths in the unit of the mesh, or with % in percent of the\n"
+"square root of the area:\n"
+"      --scale=L      drop waves shorter than L.  On the surface a wave of length l is\n"
+"                     multiplied by 1/(1 + (L/l)^6)\n"
+"      --relief=TAU   drop what is lower than TAU, keep what is higher and keep it sharp\n"
+"On the rectangle, without place, by the coefficients C of transforms of log lambda and lambda H:\n"
+"  -K, --bound=X      drop |C| <= X percent of the field's root mean square, that is\n"
+"                     |C|/(nodes rms) 100 <= X; 0 changes nothing\n"
+"      --K-lambda=X, --K-H=X  a bound for one field in place of -K; without -K the other is\n"
+"                     not changed\n"
+"      --raw          compare X with |C| itself\n"
+"      --keep=N       keep the N largest of each field, N >= 1\n"
+"      --energy=SHARE keep the largest that hold SHARE, 0..1, of sum |C|^2 without the mean\n"
+"      --low-pass=R   keep waves of up to R cycles per width of the rectangle\n"
 "      --basis=dct|dft  cosines, or the complex exponentials of the paper [dct]\n"
-"      --log-lambda   filter the logarithm of lambda; rms is then that of the logarithm\n"
-"                     minus its mean [this]\n"
-"      --no-log-lambda  filter lambda itself; values below its minimum before are raised to\n"
-"                     that minimum, and their number is noted\n"
-"      --bending      filter lambda H in place of H: its square, integrated over the\n"
-"                     rectangle, is the bending energy [this]\n"
-"      --no-bending   filter H itself\n"
-"      --spectrum=FILE  also write a table of the coefficients before filtering to FILE: m, n,\n"
-"                     wave number (as --low-pass), |C| of lambda and of lambda H or H in\n"
-"                     percent (as -K).  m n = 0 0 is the mean; a conjugate pair has one row.\n"
-"                     The input must be one grid\n"
+"      --no-log-lambda  filter lambda, not its logarithm; values below the minimum before are\n"
+"                     raised to it, and their number is noted [--log-lambda]\n"
+"      --no-bending   filter H, not lambda H [--bending]\n"
+"      --paper        exactly (32) of the paper: --raw --basis=dft --no-log-lambda --no-bending\n"
+"      --spectrum=FILE  also write the coefficients before filtering to FILE: m, n, wave number\n"
+"                     (as --low-pass), |C| of both fields in percent (as -K).  m n = 0 0 is the\n"
+"                     mean; a conjugate pair has one row.  The input must be one grid\n"
 CMD_USAGE
-"The mean is never dropped.  In both bases sum |C|^2 = nodes sum f^2.\n"
-"Why these defaults: cosines extend a field evenly across the border; exponentials extend it\n"
-"periodically, and the jump at the border then needs many waves.  The logarithm treats small\n"
-"and large lambda alike and keeps lambda positive.  With lambda H, cells of large and of small\n"
-"area on the surface are treated alike.  face_neutral at 257 x 257 nodes, K = 0.5, keeps this\n"
-"share of the bending energy (the integral of H^2), and the surface is this far from the\n"
-"original, in the mean over the square root of the area:\n"
-"  dft of lambda and H              135 %   0.49 %\n"
-"  dct of lambda and H              111 %   0.35 %\n"
-"  dct of log lambda and H          101 %   0.21 %\n"
-"  dct of log lambda and lambda H    76 %   0.13 %\n"
+"Which: --scale for a surface at a scale; --relief against noise and texture, where edges must\n"
+"stay; -K --paper for the paper's figures; --low-pass, --keep, --energy to study the fields.\n"
+"-K leaves ripples and moves the surface 3 to 50 times as far as --scale does for as much\n"
+"smoothing (13 meshes).\n"
+"The mean is never dropped.  In both bases sum |C|^2 = nodes sum f^2.  Cosines extend a field\n"
+"evenly across the border; exponentials extend it periodically, with a jump.  The harmonic\n"
+"function with the border values of log lambda is not filtered: it holds the corners, where\n"
+"lambda may go to 0.  (lambda H)^2, integrated over the rectangle, is the bending energy.\n"
+"The metadatum waves says what is kept, for grid2mesh --detail=smooth; scale is L.\n"
 "-v prints how many coefficients of each field were kept.\n";
 
 static const struct option longopt[] = {
+	{ "scale",         required_argument, NULL, SCALE },
+	{ "relief",        required_argument, NULL, RELIEF },
 	{ "bound",         required_argument, NULL, 'K' },
 	{ "K-lambda",      required_argument, NULL, K_LAMBDA },
 	{ "K-H",           required_argument, NULL, K_H },
@@ -66,31 +64,36 @@ static const struct option longopt[] = {
 	{ "no-log-lambda", no_argument,       NULL, 'L' },
 	{ "bending",       no_argument,       NULL, BENDING },
 	{ "no-bending",    no_argument,       NULL, NO_BENDING },
+	{ "paper",         no_argument,       NULL, PAPER },
 	{ "spectrum",      required_argument, NULL, SPECTABLE },
 	CMD_LONGOPT
 };
+
+enum { FIELDS = 5 };
 
 /* Writes the grid once for each of the s->n scales, as a set. */
 static void
 write_scales(const CmdInput *in, Lhg *g, const Scales *s)
 {
-	double *lambda = cmd_need(in, g, "lambda", LHG_GRID), *H = cmd_need(in, g, "H", LHG_GRID);
+	const char *const name[FIELDS] = { "lambda", "H", PLACE[0], PLACE[1], PLACE[2] };
 	size_t n = (size_t)g->nu*g->nv;
-	double *was = cmd_alloc(2*n, sizeof *was);
-	const double before = scales_waves(g);
-	int k;
+	double *was = cmd_alloc(FIELDS*n, sizeof *was);
+	const ScalesBefore before = scales_before(g);
+	int k, c;
 
-	memcpy(was, lambda, n*sizeof *was);
-	memcpy(was + n, H, n*sizeof *was);
+	for (c = 0; c < FIELDS; c++)
+		if (lhg_find(g, name[c]))
+			memcpy(was + c*n, cmd_need(in, g, name[c], LHG_GRID), n*sizeof *was);
 	g->frames = s->n;
 	for (k = 0; k < s->n; k++) {
 		g->frame = k + 1;
-		if (s->n > 1)
+		for (c = 0; c < FIELDS; c++)
+			if (lhg_find(g, name[c]))
+				memcpy(lhg_find(g, name[c])->f, was + c*n, n*sizeof *was);
+		if (s->n > 1 && s->way == SCALES_COEFFICIENTS)
 			cmd_meta(g, s->option, "%.10g", s->bound[k]);
 		scales_apply(s, k, before, in, g);
 		cmd_write(g);
-		memcpy(lambda, was, n*sizeof *was);
-		memcpy(H, was + n, n*sizeof *was);
 	}
 	free(was);
 }
@@ -108,6 +111,9 @@ main(int argc, char *argv[])
 	scales_init(&s);
 	while ((opt = cmd_getopt(argc, argv, "K:", longopt)) != -1)
 		switch (opt) {
+		case SCALE: scales_set_lengths(&s, SCALES_LENGTH, "scale", optarg); break;
+		case RELIEF: scales_set_lengths(&s, SCALES_RELIEF, "relief", optarg); break;
+		case PAPER: scales_paper(&s); break;
 		case 'K': scales_set(&s, FILTER_PERCENT, "bound", optarg); break;
 		case K_LAMBDA: s.lambda = opt_double(optarg, 0, 1e300, "K-lambda"); break;
 		case K_H: s.H = opt_double(optarg, 0, 1e300, "K-H"); break;
@@ -138,7 +144,7 @@ main(int argc, char *argv[])
 		lhg_free(&g);
 	} else
 		while (cmd_read(&in, &g)) {
-			scales_apply(&s, 0, scales_waves(&g), &in, &g);
+			scales_apply(&s, 0, scales_before(&g), &in, &g);
 			cmd_pass(&in, &g);
 			lhg_free(&g);
 		}

@@ -8,9 +8,9 @@ setup_file() {
 	mkmesh -n 700 face smile=0.8 nose=0.6 -o "$tmp/b.off"
 	mesh2rect -q -n 24x20 "$tmp/a.off" -o "$tmp/a.phi"
 	mesh2rect -q -n 24x20 --like="$tmp/a.phi" "$tmp/b.off" -o "$tmp/b.phi"
-	grid2lh "$tmp/a.phi" -o "$tmp/a"
-	grid2lh --residual "$tmp/a.phi" -o "$tmp/a.all"
-	grid2lh "$tmp/b.phi" -o "$tmp/b"
+	grid2lh --no-place "$tmp/a.phi" -o "$tmp/a"
+	grid2lh --no-place --residual "$tmp/a.phi" -o "$tmp/a.all"
+	grid2lh --no-place "$tmp/b.phi" -o "$tmp/b"
 	printf '0.3 0.5\n1 1.1 # a comment\n\n2.2, 2\n3\t2.9\r\n' >"$tmp/marks"
 }
 
@@ -217,11 +217,11 @@ assert det(a)*det(m) < 0' "$tmp/a" "$tmp/still"
 @test "very different sizes are noted; --scale gives the same as a scaled mesh" {
 	mkmesh -n 300 face -o "$tmp/one.off"
 	awk 'NR > 2 && NF == 3 { printf "%.17g %.17g %.17g\n", 64*$1, 64*$2, 64*$3; next } { print }' "$tmp/one.off" >"$tmp/large.off"
-	mkmesh -n 250 face nose=0.5 | mesh2rect -q -n 16 | grid2lh -o "$tmp/other.lhg"
+	mkmesh -n 250 face nose=0.5 | mesh2rect -q -n 16 | grid2lh --no-place -o "$tmp/other.lhg"
 	for m in one large; do
-		mesh2rect -q -n 16 "$tmp/$m.off" | grid2lh --residual -o "$tmp/$m.lhg"
+		mesh2rect -q -n 16 "$tmp/$m.off" | grid2lh --no-place --residual -o "$tmp/$m.lhg"
 	done
-	mesh2rect -q -n 16 "$tmp/one.off" | grid2lh -o "$tmp/small.lhg"
+	mesh2rect -q -n 16 "$tmp/one.off" | grid2lh --no-place -o "$tmp/small.lhg"
 	lhinterp -t 1 "$tmp/one.lhg" "$tmp/large.lhg" -o "$tmp/o" 2>"$tmp/err"
 	grep -q '64 times as large as .*--scale' "$tmp/err"
 	lhinterp -t 1 "$tmp/small.lhg" "$tmp/other.lhg" -o "$tmp/o" 2>"$tmp/err"

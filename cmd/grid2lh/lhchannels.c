@@ -6,6 +6,7 @@
 #include "../../lib/grid/lambdah.h"
 #include "../../lib/grid/stencil.h"
 #include "../shared/chartof.h"
+#include "../shared/place.h"
 #include "../shared/range.h"
 #include "lhchannels.h"
 
@@ -63,7 +64,7 @@ add_residue(Lhg *g, Chart chart, const double *const phi[3], const double *lambd
 }
 
 void
-lhchannels(const CmdInput *in, Lhg *g, int curvature, int lattice, int residual)
+lhchannels(const CmdInput *in, Lhg *g, int curvature, int lattice, int place, int residual)
 {
 	const char *const name[3] = { "x", "y", "z" };
 	Chart chart = chart_of(g);
@@ -97,6 +98,9 @@ lhchannels(const CmdInput *in, Lhg *g, int curvature, int lattice, int residual)
 	add_positions(g, "band", LHG_BORDER, BAND, phi);
 	if (lattice)
 		add_positions(g, "start", LHG_LATTICE, lattice_step(g, lattice), phi);
+	place_drop(g);
+	if (place)
+		add_positions(g, "place", LHG_GRID, 0, phi);
 	for (c = 0; c < 3; c++)
 		lhg_drop(g, name[c]);
 }

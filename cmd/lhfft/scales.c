@@ -7,9 +7,12 @@
 #include "../shared/claim.h"
 #include "../shared/cmd.h"
 #include "../shared/range.h"
+#include "../shared/place.h"
+#include "ownmetric.h"
 #include "scales.h"
 
-static const char ways[] = "need exactly one of -K X, --raw -K X, --keep=N, --energy=SHARE, --low-pass=R";
+static const char ways[] = "need exactly one of --scale=L, --relief=TAU, -K X, --raw -K X, --keep=N, "
+    "--energy=SHARE, --low-pass=R";
 
 void
 scales_init(Scales *s)
@@ -17,43 +20,74 @@ scales_init(Scales *s)
 	*s = (Scales){ .lambda = -1, .H = -1, .log = 1, .bending = 1 };
 }
 
-static double
-number(FilterRule rule, const char *option, const char *word)
+void
+scales_paper(Scales *s)
 {
-	switch (rule) {
-	case FILTER_KEEP:   return opt_long(word, 1, 2147483647, option);
-	case FILTER_ENERGY: return opt_double(word, 0, 1, option);
-	default:            return opt_double(word, 0, 1e300, option);
+	s->raw = 1;
+	s->basis = SPECTRUM_DFT;
+	s->log = s->bending = 0;
+}
+
+static double
+number(const Scales *s, char *word, int *percent)
+{
+	size_t n = strlen(word);
+
+	*percent = s->way != SCALES_COEFFICIENTS && n > 0 && word[n-1] == '%';
+	if (*percent)
+		word[n-1] = '\0';
+	if (s->way != SCALES_COEFFICIENTS)
+		return opt_double(word, 1e-65, 1e65, s->option);
+	switch (s->rule) {
+	case FILTER_KEEP:   return opt_long(word, 1, 2147483647, s->option);
+	case FILTER_ENERGY: return opt_double(word, 0, 1, s->option);
+	default:            return opt_double(word, 0, 1e300, s->option);
 	}
 }
 
-void
-scales_set(Scales *s, FilterRule rule, const char *option, const char *list)
+static void
+set(Scales *s, const char *option, const char *list)
 {
 	char *copy = cmd_alloc(strlen(list) + 1, 1), *word = copy, *comma;
 
 	if (s->option && strcmp(s->option, option) != 0)
 		misuse("%s", ways);
 	s->option = option;
-	s->rule = rule;
 	strcpy(copy, list);
 	for (s->n = 0; word; word = comma) {
 		if ((comma = strchr(word, ',')))
 			*comma++ = '\0';
 		if (s->n == SCALES_MAX)
 			misuse("--%s: more than %d scales", option, SCALES_MAX);
-		s->bound[s->n++] = number(rule, option, word);
+		s->bound[s->n] = number(s, word, &s->percent[s->n]);
+		s->n++;
 	}
 	free(copy);
 }
 
 void
+scales_set(Scales *s, FilterRule rule, const char *option, const char *list)
+{
+	s->rule = rule;
+	set(s, option, list);
+}
+
+void
+scales_set_lengths(Scales *s, ScalesWay way, const char *option, const char *list)
+{
+	s->way = way;
+	set(s, option, list);
+}
+
+void
 scales_check(Scales *s)
 {
-	int apart = s->lambda >= 0 || s->H >= 0;
+	int apart = s->lambda >= 0 || s->H >= 0, own = s->way != SCALES_COEFFICIENTS;
 
-	if ((!s->option && !apart) || ((apart || s->raw) && s->rule != FILTER_PERCENT))
+	if ((!s->option && !apart) || ((apart || s->raw) && (own || s->rule != FILTER_PERCENT)))
 		misuse("%s", ways);
+	if (own && (s->basis != SPECTRUM_DCT || !s->log || !s->bending))
+		misuse("--basis, --no-log-lambda and --no-bending are for filters that drop coefficients");
 	if (!s->option)
 		s->n = 1;               /* bound 0: a field without its own bound is unchanged */
 	if (s->raw)
@@ -137,28 +171,32 @@ scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g)
 	return f;
 }
 
-/* Sets the metadatum "waves", in cycles per width.  There are about pi waves^2 T cosines of wave
- * numbers up to `waves` (a quarter disk), and this is the number that the filter kept.  If an earlier
- * filter has set a smaller value, that stays. */
-static void
-set_waves(Lhg *g, double before, size_t kept)
+void
+scales_set_waves(Lhg *g, ScalesBefore before, double waves)
 {
-	const double waves = sqrt((double)kept/(M_PI*g->T));
-
-	cmd_meta(g, "waves", "%.6g", before > 0 && before < waves ? before : waves);
+	cmd_meta(g, "waves", "%.6g", before.waves > 0 && before.waves < waves ? before.waves : waves);
 }
 
-double
-scales_waves(const Lhg *g)
+static double
+positive(const Lhg *g, const char *key)
 {
 	char value[LHG_KEYLEN];
 
-	return lhg_getmeta(g, "waves", value, sizeof value) ? strtod(value, NULL) : 0;
+	return lhg_getmeta(g, key, value, sizeof value) ? strtod(value, NULL) : 0;
 }
 
-/* A field whose coefficients are all kept does not change, not even in its last bits. */
-void
-scales_apply(const Scales *s, int k, double before, const CmdInput *in, Lhg *g)
+ScalesBefore
+scales_before(const Lhg *g)
+{
+	return (ScalesBefore){ positive(g, "waves"), positive(g, "scale") };
+}
+
+/* A field whose coefficients are all kept does not change, not even in its last bits.  The number of
+ * waves, in cycles per width, is the radius of the quarter disk of wave numbers that contains as many
+ * cosines, pi waves^2 T, as the filter kept.  The place is that of other lambda and H: it is left
+ * out. */
+static void
+drop_coefficients(const Scales *s, int k, ScalesBefore before, const CmdInput *in, Lhg *g)
 {
 	size_t n = (size_t)g->nu*g->nv, p, most = 0;
 	int changed;
@@ -174,7 +212,20 @@ scales_apply(const Scales *s, int k, double before, const CmdInput *in, Lhg *g)
 			H[p] = s->bending ? f[p]/lambda[p] : f[p];
 		changed = 1;
 	}
-	if (changed || s->n > 1)
-		set_waves(g, before, most);
 	free(f);
+	if (changed || s->n > 1) {
+		scales_set_waves(g, before, sqrt((double)most/(M_PI*g->T)));
+		place_drop(g);
+	}
+}
+
+void
+scales_apply(const Scales *s, int k, ScalesBefore before, const CmdInput *in, Lhg *g)
+{
+	if (s->way == SCALES_COEFFICIENTS)
+		drop_coefficients(s, k, before, in, g);
+	else {
+		scales_need(in, g);
+		ownmetric_apply(s, k, before, in, g);
+	}
 }

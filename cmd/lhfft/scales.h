@@ -7,12 +7,17 @@
 
 enum { SCALES_MAX = 256 };
 
+/* What a filter does: drops coefficients, or acts in the metric of the surface (ownmetric.h). */
+typedef enum ScalesWay { SCALES_COEFFICIENTS, SCALES_LENGTH, SCALES_RELIEF } ScalesWay;
+
 typedef struct Scales {
 	SpectrumBasis basis;
 	const char *option;             /* the option that set the bounds, or NULL */
-	FilterRule  rule;
+	ScalesWay   way;
+	FilterRule  rule;               /* for coefficients */
 	int         n;                  /* how many scales */
 	double      bound[SCALES_MAX];
+	int         percent[SCALES_MAX];        /* bound is a length in percent of sqrt(area) */
 	double      lambda, H;          /* --K-lambda, --K-H; -1: use the bound of the scale */
 	int         raw, log, bending;  /* --raw, --log-lambda, --bending */
 } Scales;
@@ -20,8 +25,13 @@ typedef struct Scales {
 /* The defaults: cosines, the logarithm of lambda, lambda H. */
 void scales_init(Scales *s);
 
-/* Read the list X or X,X,.. of an option, or exit 2. */
+/* Read the list X or X,X,.. of an option, or exit 2.  The numbers of scales_set_lengths are lengths and
+ * may end in %. */
 void scales_set(Scales *s, FilterRule rule, const char *option, const char *list);
+void scales_set_lengths(Scales *s, ScalesWay way, const char *option, const char *list);
+
+/* The paper's filter, for --paper. */
+void scales_paper(Scales *s);
 
 /* Exit 2 unless exactly one rule is given; to be called once, after all options. */
 void scales_check(Scales *s);
@@ -34,11 +44,19 @@ double scales_need(const CmdInput *in, const Lhg *g);
 double *scales_curvature(const Scales *s, const CmdInput *in, const Lhg *g);
 const char *scales_name(const Scales *s);
 
-/* The metadatum "waves" of g, which an earlier filter has set; 0 if there is none. */
-double scales_waves(const Lhg *g);
+/* The metadata "waves" and "scale" of g that earlier filters have set; 0 where there is none. */
+typedef struct ScalesBefore {
+	double waves, scale;
+} ScalesBefore;
+ScalesBefore scales_before(const Lhg *g);
 
-/* Filter lambda and H of g by the bound of scale k, or die.  Set the metadatum "waves" if lambda or H
- * changes or if there are several scales.  before: scales_waves of the input. */
-void scales_apply(const Scales *s, int k, double before, const CmdInput *in, Lhg *g);
+/* Set the metadatum "waves", in cycles per width.  If an earlier filter has set a smaller value, that
+ * stays. */
+void scales_set_waves(Lhg *g, ScalesBefore before, double waves);
+
+/* Filter lambda and H of g by the bound of scale k, or die.  The place is filtered with them by
+ * --scale and --relief; else it is left out if lambda or H changes.  Set the metadatum "waves" if they
+ * change or if there are several scales.  before: of the input. */
+void scales_apply(const Scales *s, int k, ScalesBefore before, const CmdInput *in, Lhg *g);
 
 #endif

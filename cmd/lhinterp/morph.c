@@ -5,6 +5,7 @@
 
 #include "../../lib/morph/blend.h"
 #include "../shared/borderread.h"
+#include "../shared/place.h"
 #include "landfile.h"
 #include "merge.h"
 #include "morph.h"
@@ -75,6 +76,8 @@ morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks
 	cmd_read_one(&m->B, &m->b);
 	if (m->a.nu != m->b.nu || m->a.nv != m->b.nv)
 		die("%s has %d x %d nodes, %s has %d x %d", m->A.name, m->a.nu, m->a.nv, m->B.name, m->b.nu, m->b.nv);
+	place_drop(&m->a);      /* a blend of positions is not a filtered surface */
+	place_drop(&m->b);
 	cmd_need(&m->A, &m->a, "lambda", LHG_GRID);
 	cmd_need(&m->A, &m->a, "H", LHG_GRID);
 	check_channels(m);

@@ -12,6 +12,7 @@ static const struct {
 	{ "lambda", "grid2lh" },      { "H", "grid2lh" },
 	{ "band.x", "grid2lh" },      { "band.y", "grid2lh" },      { "band.z", "grid2lh" },
 	{ "start.x", "grid2lh" },     { "start.y", "grid2lh" },     { "start.z", "grid2lh" },
+	{ "place.x", "grid2lh" },     { "place.y", "grid2lh" },     { "place.z", "grid2lh" },
 	{ "nu1", "grid2lh --residual" },  { "nu2", "grid2lh --residual" },
 	{ "tau1", "grid2lh --residual" }, { "tau2", "grid2lh --residual" }
 };

@@ -1,0 +1,16 @@
+/* place.h - the channels place.x place.y place.z: the positions that the filters of lhfft take along. */
+#ifndef CMD_PLACE_H
+#define CMD_PLACE_H
+
+#include "cmd.h"
+
+extern const char *const PLACE[3];
+
+/* Sets f to the three fields of g and returns 1; or returns 0 if g has none.  Dies if they are not
+ * complete or out of range (range.h). */
+int  place_of(const CmdInput *in, const Lhg *g, double *f[3]);
+
+/* Removes the place of g, and the metadata scale and relief that say how it was filtered. */
+void place_drop(Lhg *g);
+
+#endif

@@ -1,0 +1,132 @@
+load helper
+
+setup_file() {
+	mkmesh -n 900 face | mesh2rect -q -n 24 -o "$tmp/phi"
+	grid2lh "$tmp/phi" -o "$tmp/lh"
+	grid2lh --no-place "$tmp/phi" -o "$tmp/bare"
+}
+
+# compare A B SCALE: all channels of B are those of A times the power of SCALE of their unit.
+compare() {
+	/usr/bin/python3 - "$@" <<-'END'
+		import sys
+		sys.path.insert(0, 'scripts')
+		import lhg
+		import numpy as np
+		s = float(sys.argv[3])
+		power = {'1': 0, 'length': 1, '1/length': -1}
+		for a, b in zip(lhg.read(sys.argv[1]), lhg.read(sys.argv[2]), strict=True):
+		    assert list(a.channels) == list(b.channels), (a.channels, b.channels)
+		    for n, c in a.channels.items():
+		        x = c.data*s**power[c.unit]
+		        assert np.allclose(x, b[n], rtol=0, atol=1e-9*abs(x).max()), n
+	END
+}
+
+meta() { lhinfo "$1" | awk -v k="$2" '$1 == "meta" && $2 == k { print $3 }'; }
+
+@test "a length in the unit of the mesh, or in percent of the square root of the area" {
+	lhfft --scale=7% "$tmp/lh" -o "$tmp/percent"
+	L=$(meta "$tmp/percent" scale)
+	area=$(meta "$tmp/phi" area)
+	below "$(awk -v l="$L" -v a="$area" 'BEGIN { r = l/sqrt(a)/.07; print (r > 1 ? r : 1/r) }')" 1.02
+	lhfft --scale=0.5 "$tmp/lh" -o "$tmp/length"
+	[ "$(meta "$tmp/length" scale)" = 0.5 ]
+}
+
+@test "a surface 8 times as large, at a scale 8 times as large, is filtered alike" {
+	/usr/bin/python3 - "$tmp/lh" "$tmp/large" <<-'END'
+		import sys
+		sys.path.insert(0, 'scripts')
+		import lhg
+		power = {'1': 0, 'length': 1, '1/length': -1}
+		g = next(iter(lhg.read(sys.argv[1])))
+		for c in g.channels.values():
+		    c.data = c.data*8.0**power[c.unit]
+		lhg.write(sys.argv[2], [g])
+	END
+	for o in scale=0.25,0.5:scale=2,4 relief=0.01:relief=0.08 scale=3%:scale=3% relief=1%:relief=1%; do
+		lhfft "--${o%:*}" "$tmp/lh" -o "$tmp/1"
+		lhfft "--${o#*:}" "$tmp/large" -o "$tmp/8"
+		compare "$tmp/1" "$tmp/8" 8
+	done
+}
+
+@test "several scales are those of several runs" {
+	lhfft --scale=0.3,5% "$tmp/lh" -o "$tmp/two"
+	for o in 0.3 5%; do lhfft --scale=$o "$tmp/lh" -o "$tmp/$o"; done
+	/usr/bin/python3 - "$tmp/two" "$tmp/0.3" "$tmp/5%" <<-'END'
+		import sys
+		sys.path.insert(0, 'scripts')
+		import lhg
+		import numpy as np
+		two = list(lhg.read(sys.argv[1]))
+		for a, f in zip(two, sys.argv[2:], strict=True):
+		    b = next(iter(lhg.read(f)))
+		    assert all(np.array_equal(a[n], b[n]) for n in a.channels)
+		    assert a.meta == b.meta, (a.meta, b.meta)
+	END
+}
+
+@test "the border of lambda and of the place stays; a scale of nothing changes nothing" {
+	lhfft --scale=20% "$tmp/lh" -o "$tmp/coarse"
+	lhfft --scale=0.05% "$tmp/lh" -o "$tmp/fine"
+	/usr/bin/python3 - "$tmp/lh" "$tmp/coarse" "$tmp/fine" <<-'END'
+		import sys
+		sys.path.insert(0, 'scripts')
+		import lhg
+		import numpy as np
+		g, coarse, fine = (next(iter(lhg.read(f))) for f in sys.argv[1:])
+		size = np.ptp(g['place.x'])
+		for n in 'lambda', 'place.x', 'place.y', 'place.z':
+		    for side in np.s_[0, :], np.s_[-1, :], np.s_[:, 0], np.s_[:, -1]:
+		        assert np.allclose(g[n][side], coarse[n][side], rtol=1e-14, atol=0), n
+		for n in 'lambda', 'H', 'place.x', 'place.y', 'place.z':
+		    scale = abs(g[n]).max()
+		    assert abs(g[n] - fine[n]).max() < 1e-4*scale, n
+		    assert abs(g[n] - coarse[n]).max() > 1e-3*scale, n
+	END
+}
+
+@test "the place belongs to --scale and --relief: other filters and morphs leave it out" {
+	lhfft --scale=4% "$tmp/lh" -o "$tmp/s"
+	lhinfo "$tmp/s" | grep -q 'channel place.x'
+	lhfft -K 0 "$tmp/s" | lhinfo | grep -q 'meta scale'
+	for c in "lhfft -K 1 $tmp/s" "lhfft -K 0,1 $tmp/s" "lhinterp -q -n 2 $tmp/s $tmp/s"; do
+		$c | lhinfo >"$tmp/out"
+		! grep -Eq 'channel place|meta (scale|relief)' "$tmp/out"
+	done
+	! lhinfo "$tmp/bare" | grep -q 'channel place'
+}
+
+@test "without the place: a note, lambda and H as with it; --relief needs it" {
+	try 0 'no channels place.x' "$tmp/bare" lhfft --scale=4%
+	cp "$tmp/out" "$tmp/without"
+	lhfft --scale=4% "$tmp/lh" | lhfft -K 0 | /usr/bin/python3 -c '
+import sys
+sys.path.insert(0, "scripts")
+import lhg
+g = next(iter(lhg.read(sys.stdin.buffer)))
+for c in "xyz":
+    del g.channels["place." + c]
+lhg.write(sys.stdout.buffer, [g])' >"$tmp/with"
+	compare "$tmp/with" "$tmp/without" 1
+	try 1 'no channel place.x .grid2lh makes it.' "$tmp/bare" lhfft --relief=1%
+}
+
+@test "--paper is four options" {
+	lhfft --no-history -K 30 --paper "$tmp/lh" -o "$tmp/paper"
+	lhfft -q --no-history -K 30 --raw --basis=dft --no-log-lambda --no-bending "$tmp/lh" | cmp - "$tmp/paper"
+}
+
+@test "lengths out of range" {
+	for o in scale=0 scale=-1 scale=% scale=3mm relief=nan; do
+		try 2 'need a number in' /dev/null lhfft "--$o"
+	done
+	try 2 'need exactly' /dev/null lhfft --scale=2 --relief=1
+	try 2 'need exactly' /dev/null lhfft --scale=2 -K 1
+	try 2 'need exactly' /dev/null lhfft --scale=2 --K-H=1
+	try 2 'are for filters that drop coefficients' /dev/null lhfft --scale=2 --basis=dft
+	try 1 'stdin: --scale is 1e\+06, need 0.0001 .. 10000 times the square root' "$tmp/lh" lhfft --scale=1e6
+	try 1 'stdin: --relief is .*, need 0.0001' "$tmp/lh" lhfft --relief=1e-9%
+}
