@@ -20,19 +20,20 @@ static const char text[] =
 "                     it too [held]\n"
 "  -f, --follow       surface: each frame of a stream after the first starts from the surface\n"
 "                     of the previous frame, not from its own start\n"
-"  -k, --keyframes=N  surface: solve the key frames independently: the first frame of a stream,\n"
-"                     every N-th after it, and the last, 2..1000.  The frames between two key\n"
-"                     frames start, on the full grid, with the interpolated detail of both: the\n"
-"                     difference of the surface and that of the next coarser grid\n"
+"  -k, --keyframes=N  surface: solve the first frame of a stream, every N-th after it, 2..1000,\n"
+"                     and the last independently.  Frames between two of these start, on the\n"
+"                     full grid, with the interpolated detail that it adds to both\n"
 "      --no-start     do not use start.x start.y start.z\n"
+"      --no-place     do not use place.x place.y place.z (lhfft --scale and --relief)\n"
 "      --ideal        do not use nu1 nu2 tau1 tau2 (grid2lh --residual)\n"
 CMD_USAGE
 "The surface method minimises, with the boundary curve held,\n"
 "  |Delta phi - 2 lambda^2 H n|^2 + w^2 (the metric minus lambda^2)^2\n"
 "by Gauss-Newton steps, first on a grid of 4225 nodes or a few more, then on grids twice as\n"
 "fine, up to the full grid.  The start only selects one of the surfaces that have this lambda, H\n"
-"and boundary.  Without a start, the frame method computes one on the coarsest grid, from three\n"
-"rings of the band.\n"
+"and boundary.  A place filtered by lhfft --scale or --relief is the start on the full grid, and\n"
+"holds the waves that the filter left; shorter ones follow lambda and H.  Without a start, the\n"
+"frame method computes one on the coarsest grid, from three rings of the band.\n"
 "With --boundary=free the border nodes are unknowns too, determined by the metric alone.  The\n"
 "surface is then moved rigidly so that its border is nearest to that of the band; without a\n"
 "band, so that the surface is nearest to the start.  lambda and H determine a surface up to\n"
@@ -41,11 +42,9 @@ CMD_USAGE
 "long, for a morph longer, and its error is two to twenty times as large.  A morph whose\n"
 "boundary turns or folds on the way needs --boundary=free --follow.  With the boundary held,\n"
 "--follow gives the same surfaces in the same time.\n"
-"--keyframes=6 halves the time of a morph between similar surfaces (two faces: energies within\n"
-"3 % of those without it, surfaces on average 0.01 % of the square root of the area apart).  For\n"
-"very different surfaces it saves a tenth (two teeth: 0.1 to 0.4 % apart).  Several surfaces fit\n"
-"such data, and another of them may be found: the energies differed by up to a fifth, for a\n"
-"face and a Buddha by up to a factor of two.\n"
+"--keyframes=6 halves the time of a morph between similar surfaces (two faces: 0.01 % of the\n"
+"square root of the area apart).  For very different ones it saves a tenth, and another of the\n"
+"surfaces that fit such data may be found (two teeth: 0.1 to 0.4 % apart).\n"
 "The metadata misfit, change and stopped say how well it fits and how the steps ended.  Steps\n"
 "that creep, cut short without gain, are noted; if ten moved the surface by over 1 % of\n"
 "sqrt(area), or without convergence, nothing is written.\n"
@@ -65,6 +64,7 @@ static const struct option longopt[] = {
 	{ "follow",    no_argument,       NULL, 'f' },
 	{ "keyframes", required_argument, NULL, 'k' },
 	{ "no-start",  no_argument,       NULL, 'S' },
+	{ "no-place",  no_argument,       NULL, 'P' },
 	{ "ideal",     no_argument,       NULL, 'i' },
 	CMD_LONGOPT
 };
@@ -95,6 +95,7 @@ main(int argc, char *argv[])
 		case 'f': chained = 1; break;
 		case 'k': every = opt_long(optarg, 2, KEYFRAMES_MOST, "keyframes"); break;
 		case 'S': o.no_start = 1; break;
+		case 'P': o.no_place = 1; break;
 		case 'i': o.ideal = 1; break;
 		}
 	if (method == GRIDFIT_FRAME && (o.free || chained || every))

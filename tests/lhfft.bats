@@ -130,3 +130,20 @@ lhg.write(sys.stdout.buffer, [g])' >"$tmp/with"
 	try 1 'stdin: --scale is 1e\+06, need 0.0001 .. 10000 times the square root' "$tmp/lh" lhfft --scale=1e6
 	try 1 'stdin: --relief is .*, need 0.0001' "$tmp/lh" lhfft --relief=1e-9%
 }
+
+@test "lh2grid keeps to the place that --scale has filtered, and to no other" {
+	lhfft --no-history --scale=12% "$tmp/lh" -o "$tmp/s"
+	lh2grid "$tmp/s" -o "$tmp/held"
+	lh2grid --no-place "$tmp/s" -o "$tmp/loose"
+	! lhinfo "$tmp/held" | grep -q 'channel place'
+	below "$(error_of "$tmp/phi" "$tmp/held" mean_rel)" "$(error_of "$tmp/phi" "$tmp/loose" mean_rel)"
+	lh2grid --no-history "$tmp/lh" -o "$tmp/1"
+	lh2grid --no-history "$tmp/bare" | cmp - "$tmp/1"
+	try 1 "the metadatum scale is 'x', not a positive number" <(/usr/bin/python3 -c '
+import sys
+sys.path.insert(0, "scripts")
+import lhg
+g = next(iter(lhg.read(sys.argv[1])))
+g.meta["scale"] = "x"
+lhg.write(sys.stdout.buffer, [g])' "$tmp/s") lh2grid
+}

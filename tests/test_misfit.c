@@ -202,6 +202,48 @@ gradient_beyond_joined_sides(void **state)
 	boundary_is_free = 0;
 }
 
+/* With a place, on every kind of chart, the gradient is the derivative, J'J is symmetric, and both
+ * gain kappa times the displacement: at inner nodes, positive, for no other reason than the place. */
+static void
+gradient_with_a_place(void **state)
+{
+	static double place[3*N], without[3*N];
+	double t = 1e-6, slope;
+	Misfit m;
+	int q, k;
+
+	(void)state;
+	for (q = 0; q < 4; q++) {
+		chart.kind = KINDS[q];
+		boundary_is_free = q > 0;
+		surface_of_size(1);
+		random_displacement(5, 0.01, place);
+		for (k = 0; k < 3*N; k++)
+			place[k] += phi[k];
+		m = misfit_of(NULL);
+		random_displacement(10, 1, d);
+		misfit_normal(&m, phi, d, without);
+		assert_int_equal(misfit_hold(&m, &(MisfitPlace){ place, 0.05 }), 0);
+		misfit_gradient(&m, phi, g);
+		slope = (energy_at(&m, t, d) - energy_at(&m, -t, d))/(2*t);
+		assert_true(fabs(2*field_dot(3*N, g, d)/slope - 1) < 1e-5);
+		random_displacement(2, 1, e);
+		misfit_normal(&m, phi, d, f);
+		misfit_normal(&m, phi, e, g);
+		assert_true(fabs(field_dot(3*N, e, f)/field_dot(3*N, d, g) - 1) < 1e-12);
+		m.stretch = 1;
+		misfit_normal(&m, phi, d, f);
+		for (k = 0; k < 3*N; k++)
+			assert_true(fabs(f[k] - without[k] - m.hold[k%N]*d[k]) < 1e-9*(1 + fabs(f[k])));
+		assert_int_equal(misfit_hold(&m, NULL), 0);
+		misfit_normal(&m, phi, d, f);
+		assert_memory_equal(f, without, sizeof f);
+		misfit_free(&m);
+	}
+	chart.kind = &CHART_RECTANGLE;
+	boundary_is_free = 0;
+}
+
 /* The gradient is the derivative of the energy also if the border nodes are free. */
 static void
 free_gradient_is_the_derivative(void **state)
@@ -349,6 +391,7 @@ main(void)
 		cmocka_unit_test(gradient_is_the_derivative),
 		cmocka_unit_test(normal_matrix_is_that_of_the_gradient),
 		cmocka_unit_test(gradient_beyond_joined_sides),
+		cmocka_unit_test(gradient_with_a_place),
 		cmocka_unit_test(free_gradient_is_the_derivative),
 		cmocka_unit_test(free_normal_matrix_is_symmetric),
 		cmocka_unit_test(free_border_has_its_energy),

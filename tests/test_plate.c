@@ -94,7 +94,7 @@ plate_inverts(void **state)
 					x[c*n + j*g.nu + i] = noise(&seed);
 		memcpy(z, x, sizeof x);
 		assert_int_equal(plate_init(&plate, g, 0), 0);
-		plate_solve(&plate, 0.3, 50, z);
+		plate_solve(&plate, 0.3, 50, 0, z);
 		for (c = 0; c < 3; c++) {
 			memset(y, 0, sizeof y);
 			memset(yy, 0, sizeof yy);
@@ -145,7 +145,7 @@ free_plate_inverts(void **state)
 		for (p = 0; p < 3*n; p++)
 			z[p] = x[p] = noise(&seed);
 		assert_int_equal(plate_init(&plate, g, 1), 0);
-		plate_solve(&plate, 0.3, 50, z);
+		plate_solve(&plate, 0.3, 50, 0, z);
 		for (c = 0; c < 3; c++) {
 			minus_laplacian_mirrored(g, z + c*n, y);
 			minus_laplacian_mirrored(g, y, yy);
@@ -176,12 +176,12 @@ threads_change_no_bit(void **state)
 	memcpy(three, x, sizeof x);
 	omp_set_num_threads(1);
 	assert_int_equal(plate_init(&plate, g, 0), 0);
-	plate_solve(&plate, 1, 1, one);
+	plate_solve(&plate, 1, 1, 0, one);
 	dot[0] = field_dot(3*70*50, x, one);
 	plate_free(&plate);
 	omp_set_num_threads(3);
 	assert_int_equal(plate_init(&plate, g, 0), 0);
-	plate_solve(&plate, 1, 1, three);
+	plate_solve(&plate, 1, 1, 0, three);
 	dot[1] = field_dot(3*70*50, x, three);
 	plate_free(&plate);
 	omp_set_num_threads(threads);

@@ -459,6 +459,41 @@ steps_that_overshoot_are_shortened(void **state)
 	misfit_free(&m);
 }
 
+/* lambda and H of a torus, and a place that differs from it by a long wave and by a short one, eight
+ * times as long as a cell and shorter than the scale: the result has the first and hardly the second. */
+static void
+place_holds_long_waves(void **state)
+{
+	static double place[3*MOST];
+	Surface s = given(torus, FINE);
+	size_t n = (size_t)FINE.nu*FINE.nv, p;
+	double is[2] = { 0, 0 }, all[2] = { 0, 0 }, wave[2], window;
+	int c;
+
+	(void)state;
+	for (p = 0; p < n; p++) {
+		double u = p%FINE.nu*chart_h(FINE), v = p/FINE.nu*chart_k(FINE)/FINE.T;
+
+		window = sin(M_PI*u)*sin(M_PI*v);
+		for (c = 0; c < 3; c++)
+			place[c*n+p] = truth[c*n+p] + (c == 2)*(1e-3*window + 1e-4*window*sin(2*M_PI*u/(4*chart_h(FINE))));
+	}
+	s.place = &(MisfitPlace){ place, 0.1 };
+	reconstruct(&s, 1, &EXACT);
+	for (p = 0; p < n; p++) {
+		double u = p%FINE.nu*chart_h(FINE), v = p/FINE.nu*chart_k(FINE)/FINE.T;
+
+		wave[0] = sin(M_PI*u)*sin(M_PI*v);
+		wave[1] = wave[0]*sin(2*M_PI*u/(4*chart_h(FINE)));
+		for (c = 0; c < 2; c++) {
+			is[c] += wave[c]*(found[2*n+p] - truth[2*n+p]);
+			all[c] += wave[c]*wave[c]*(c ? 1e-4 : 1e-3);
+		}
+	}
+	assert_true(is[0]/all[0] > 0.9 && is[0]/all[0] < 1.01);
+	assert_true(fabs(is[1]/all[1]) < 0.3);
+}
+
 static void
 too_few_steps_are_reported(void **state)
 {
@@ -545,6 +580,7 @@ main(void)
 		cmocka_unit_test(weights_are_sharp_once_the_metric_fits),
 		cmocka_unit_test(known_detail_needs_hardly_a_step),
 		cmocka_unit_test(steps_that_overshoot_are_shortened),
+		cmocka_unit_test(place_holds_long_waves),
 		cmocka_unit_test(too_few_steps_are_reported),
 		cmocka_unit_test(fit_says_how_it_ended),
 		cmocka_unit_test(overflow_is_reported),

@@ -1,6 +1,7 @@
 /* channels.c - the band that lh2grid reads and the positions that it writes. */
 #include <math.h>
 
+#include "../shared/place.h"
 #include "../shared/range.h"
 #include "channels.h"
 
@@ -34,6 +35,8 @@ surface_replace(const CmdInput *in, Lhg *g, const double *phi)
 	snprintf(unit, sizeof unit, "%s", lhg_find(g, lhg_find(g, "band.x") ? "band.x" : "start.x")->unit);
 	for (i = 0; i < sizeof used/sizeof *used; i++)
 		lhg_drop(g, used[i]);
+	for (c = 0; c < 3; c++)
+		lhg_drop(g, PLACE[c]);
 	for (c = 0; c < 3; c++) {
 		name[0] = "xyz"[c];
 		f = cmd_add(g, name, unit, LHG_GRID, 0);

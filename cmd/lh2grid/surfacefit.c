@@ -1,4 +1,5 @@
 /* surfacefit.c - lh2grid's surface method. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -6,6 +7,7 @@
 #include "../../lib/surface/frame.h"
 #include "../../lib/surface/surface.h"
 #include "../shared/chartof.h"
+#include "../shared/place.h"
 #include "../shared/range.h"
 #include "surfacefit.h"
 
@@ -26,6 +28,39 @@ has_start(const Lhg *g, const SurfaceFit *o)
 	return !o->no_start && lhg_find(g, START[0]);
 }
 
+/* The place takes part only where lhfft --scale or --relief has filtered it: the place of a surface
+ * itself would be the answer. */
+static int
+has_place(const Lhg *g, const SurfaceFit *o)
+{
+	char value[LHG_KEYLEN];
+
+	return !o->no_place && lhg_find(g, PLACE[0]) && lhg_getmeta(g, "scale", value, sizeof value);
+}
+
+/* The channels place as three fields, to be freed, with s by the metadatum scale; or NULL. */
+static double *
+read_place(const CmdInput *in, const Lhg *g, const SurfaceFit *o, MisfitPlace *place)
+{
+	size_t n = (size_t)g->nu*g->nv;
+	char value[LHG_KEYLEN], *end;
+	double *f[3], *phi, L;
+	int c;
+
+	if (!has_place(g, o))
+		return NULL;
+	lhg_getmeta(g, "scale", value, sizeof value);
+	L = strtod(value, &end);
+	if (*end || !(L > 0 && isfinite(L)))
+		die("%s: the metadatum scale is '%s', not a positive number", in->name, value);
+	place_of(in, g, f);
+	phi = cmd_alloc(3*n, sizeof *phi);
+	for (c = 0; c < 3; c++)
+		memcpy(phi + c*n, f[c], n*sizeof *phi);
+	*place = (MisfitPlace){ phi, L/(2*M_PI) };
+	return phi;
+}
+
 static int
 has_band(const Lhg *g)
 {
@@ -36,7 +71,7 @@ int
 surfacefit_rings(const Lhg *g, const SurfaceFit *o)
 {
 	if (!has_start(g, o))
-		return FRAME_BAND;
+		return has_place(g, o) ? 1 : FRAME_BAND;
 	return o->free && !has_band(g) ? 0 : 1;
 }
 
@@ -139,8 +174,11 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 	FitOptions how = { .tolerance = o->tolerance, .most = o->steps, .sharpen = 1, .report = report_step,
 	    .ctx = (void *)in };
 	double *start = has_start(g, o) ? read_start(in, g, &s) : NULL, began = seconds();
+	MisfitPlace place;
+	double *held = read_place(in, g, o, &place);
 	Residue residue;
 
+	s.place = held ? &place : NULL;
 	s.forecast = o->forecast;
 	s.detail = o->detail;
 	s.free = o->free;
@@ -164,4 +202,5 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 	detail("%s: %.1f vector Poisson solves of %d x %d nodes, %.2f s", in->name, at->cost, g->nu, g->nv,
 	    seconds() - began);
 	free(start);
+	free(held);
 }

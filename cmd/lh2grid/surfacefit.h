@@ -7,7 +7,7 @@
 
 typedef struct SurfaceFit {
 	double  tolerance;
-	int     steps, no_start, ideal, free;
+	int     steps, no_start, no_place, ideal, free;
 	double *forecast, *detail;      /* of lib/surface/surface.h, or NULL */
 } SurfaceFit;
 

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../../lib/base/corner.h"
+#include "../../lib/grid/cornerfold.h"
 #include "../../lib/scales/borderpart.h"
 #include "../../lib/scales/relief.h"
 #include "../shared/chartof.h"
@@ -15,7 +17,10 @@
 static const double FINEST = 0.0025, RELIEF_LAMBDA = 0.005;
 static const double LEAST = 1e-4, MOST = 1e4;   /* of L and TAU over sqrt(area) */
 
-enum { BORDERED = 4 };          /* fields that are filtered less their border parts: log lambda, x, y, z */
+enum {
+	BORDERED = 4,           /* fields that are filtered less their border parts: log lambda, x, y, z */
+	FIELDS                  /* and H */
+};
 
 typedef struct Own {
 	const CmdInput *in;
@@ -61,6 +66,7 @@ split(Own *o)
 		o->part[c] = o->less[c] + o->n;
 		f[c] = c ? o->place[c-1] : log_lambda;
 	}
+	memset(log_lambda, 0, 2*BORDERED*o->n*sizeof *log_lambda);
 	for (p = 0; p < o->n; p++)
 		log_lambda[p] = log(o->lambda[p]);
 	if (border_part(o->chart, 1, f, o->part) || (o->placed && border_part(o->chart, 3, f + 1, o->part + 1)))
@@ -84,10 +90,61 @@ join(Own *o)
 	free(o->less[0]);
 }
 
+/* Whether the place is folded at corner k, less and part added up. */
+static int
+folds(const Own *o, int k)
+{
+	double *x = cmd_alloc(3*o->n, sizeof *x);
+	const double *const phi[3] = { x, x + o->n, x + 2*o->n };
+	size_t p;
+	int c, is;
+
+	for (c = 0; c < 3; c++)
+		for (p = 0; p < o->n; p++)
+			x[c*o->n+p] = o->less[c+1][p] + o->part[c+1][p];
+	is = corner_folded(o->chart, k, phi, corner_radius(o->chart));
+	free(x);
+	return is;
+}
+
+/* At corners where filters fold the place, the fields stay as they were: before[FIELDS][n].  There
+ * lambda goes to 0, a filter leaves the harmonic function with the border values, and between ragged
+ * borders this may fold. */
+static void
+keep_corners(Own *o, const double *before)
+{
+	double *f[FIELDS] = { o->less[0], o->less[1], o->less[2], o->less[3], o->H }, share;
+	int k, a, b, c, p, radius = corner_radius(o->chart);
+
+	for (k = 0; k < 4 && o->placed; k++) {
+		if (!corner_exists(o->chart, k) || !folds(o, k))
+			continue;
+		for (b = 0; b < radius; b++)
+			for (a = 0; a < radius; a++) {
+				p = corner_node(o->chart, k, a, b);
+				share = corner_share(o->chart, p%o->chart.nu, p/o->chart.nu);
+				for (c = 0; c < FIELDS; c++)
+					f[c][p] += share*(before[c*o->n+p] - f[c][p]);
+			}
+	}
+}
+
+static double *
+copy_fields(const Own *o)
+{
+	double *before = cmd_alloc(FIELDS*o->n, sizeof *before);
+	int c;
+
+	for (c = 0; c < FIELDS; c++)
+		memcpy(before + c*o->n, c < BORDERED ? o->less[c] : o->H, o->n*sizeof *before);
+	return before;
+}
+
 static void
 filter(Own *o, const Scales *s, int k, double *L)
 {
 	const double x = length_of(o, s, k);
+	double *before = copy_fields(o);
 	int c;
 
 	*L = s->way == SCALES_RELIEF ? 2*M_PI*RELIEF_LAMBDA*o->root : x;
@@ -100,6 +157,8 @@ filter(Own *o, const Scales *s, int k, double *L)
 		for (c = 1; c < BORDERED && o->placed; c++)
 			lowpass(&o->held, *L/(2*M_PI), o->less[c]);
 	}
+	keep_corners(o, before);
+	free(before);
 }
 
 /* There are as many waves longer than L on the surface as waves of up to lambda/L cycles on the
@@ -122,7 +181,7 @@ ownmetric_apply(const Scales *s, int k, ScalesBefore before, const CmdInput *in,
 
 	if (g->nu < 3 || g->nv < 3)
 		die("%s: %d x %d nodes, --%s needs at least 3 x 3", in->name, g->nu, g->nv, s->option);
-	claim(in->name, "the filter", (double)o.n, 8*(s->way == SCALES_RELIEF ? 55 : 42));
+	claim(in->name, "the filter", (double)o.n, 8*(s->way == SCALES_RELIEF ? 60 : 47));
 	o.placed = place_of(in, g, o.place);
 	if (s->way == SCALES_RELIEF && !o.placed)
 		cmd_need(in, g, PLACE[0], LHG_GRID);

@@ -92,7 +92,7 @@ transform(const Plate *p, int along, double *f, double *work)
 		transform_sine(&p->transform[along], f, work);
 }
 
-/* The constant c of plate.h for a free border, 0 for a held one. */
+/* The constant c0 of plate.h for a free border, 0 for a held one. */
 static double
 shift(const Plate *p, double b)
 {
@@ -102,10 +102,10 @@ shift(const Plate *p, double b)
 /* Transforms `width` columns from column i on, divides by the eigenvalues and transforms back.  z
  * points to the first unknown node of the field. */
 static void
-solve_columns(const Plate *p, double a, double b, int i, int width, double *column, double *z)
+solve_columns(const Plate *p, double a, double b, double c, int i, int width, double *column, double *z)
 {
 	int n = unknown(p, p->g.nv), nu = p->g.nu, j, k;
-	double norm = (p->g.nu - 1.0)*(p->g.nv - 1.0)/4, c = shift(p, b), e, *work = column + columns_room(p);
+	double norm = (p->g.nu - 1.0)*(p->g.nv - 1.0)/4, e, *work = column + columns_room(p);
 
 	for (j = 0; j < n; j++)
 		for (k = 0; k < width; k++)
@@ -114,7 +114,7 @@ solve_columns(const Plate *p, double a, double b, int i, int width, double *colu
 		transform(p, 1, column + k*n, work);
 		for (j = 0; j < n; j++) {
 			e = p->eigenvalue[0][i+k] + p->eigenvalue[1][j];
-			column[k*n+j] /= p->free ? norm*(e*(a*e + b) + c) : norm*e*(a*e + b);
+			column[k*n+j] /= norm*(e*(a*e + b) + c);
 		}
 		transform(p, 1, column + k*n, work);
 	}
@@ -154,11 +154,12 @@ divide_by_weights(Chart g, double *z)
 }
 
 void
-plate_solve(const Plate *p, double a, double b, double *z)
+plate_solve(const Plate *p, double a, double b, double c, double *z)
 {
 	int unknowns = unknown(p, p->g.nu), groups = (unknowns + WIDTH - 1)/WIDTH;
 	size_t n = (size_t)p->g.nu*p->g.nv, first = p->free ? 0 : p->g.nu + 1;
 
+	c += shift(p, b);
 	if (p->free)
 		divide_by_weights(p->g, z);
 #pragma omp parallel
@@ -171,7 +172,7 @@ plate_solve(const Plate *p, double a, double b, double *z)
 		for (q = 0; q < 3*groups; q++) {
 			int i = q%groups*WIDTH, width = unknowns - i < WIDTH ? unknowns - i : WIDTH;
 
-			solve_columns(p, a, b, i, width, column, z + q/groups*n + first);
+			solve_columns(p, a, b, c, i, width, column, z + q/groups*n + first);
 		}
 		transform_rows(p, z, column + columns_room(p));
 	}

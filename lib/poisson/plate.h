@@ -1,14 +1,14 @@
 /* plate.h - solves the equation of a plate under tension on a grid by fast transforms.
  *
- *   P = a Delta^2 - b Delta   for fields d with d = 0 and Delta d = 0 on the border,
+ *   P = a Delta^2 - b Delta + c   for fields d with d = 0 and Delta d = 0 on the border,
  *
  * where Delta is the five-point Laplacian.  Its eigenvectors are products of sines.  P is the
  * preconditioner of the surface method (doc/mathematics.md 6.4).  With a free border,
  *
- *   P = W (a Delta^2 - b Delta + c)   with the fields mirrored at the border.
+ *   P = W (a Delta^2 - b Delta + c + c0)   with the fields mirrored at the border.
  *
  * The eigenvectors are products of cosines.  W is diagonal: 1/4 in the corners, 1/2 on the rest
- * of the border, 1 inside; it makes P symmetric.  c is b times the smallest positive eigenvalue of
+ * of the border, 1 inside; it makes P symmetric.  c0 is b times the smallest positive eigenvalue of
  * -Delta; it makes P positive definite.  Constants are then treated like the longest waves, which
  * is harmless, since the misfit does not change when a constant is added to a field.
  */
@@ -36,6 +36,6 @@ void plate_free(Plate *p);
 /* z = P^-1 z in place, for three fields z[3][nv][nu].  On a held border z must be 0, and remains 0.
  * The cost is six sine (cosine) transforms: one vector Poisson solve, the unit in which the cost of
  * a reconstruction is counted.  The result has the same bits for any number of threads. */
-void plate_solve(const Plate *p, double a, double b, double *z);
+void plate_solve(const Plate *p, double a, double b, double c, double *z);
 
 #endif

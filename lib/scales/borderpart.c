@@ -97,7 +97,7 @@ border_part(Chart g, int count, const double *const f[], double *const h[])
 		each_border_node(g, add_to_mean, &b[c]);
 		each_border_node(g, add_to_residual, &b[c]);
 	}
-	plate_solve(&plate, 0, 1, z);
+	plate_solve(&plate, 0, 1, 0, z);
 	for (c = 0; c < count; c++)
 		for (p = 0; p < n; p++)
 			h[c][p] = on_border(g, p) ? f[c][p] : z[c*n+p] + b[c].mean;

@@ -144,16 +144,21 @@ converged(const FitOptions *o, const Outcome *is, double E, double moved, const 
 	    ? FIT_CONVERGED : 0;
 }
 
-/* E over the number of nodes, with the sharp weights; those of m are kept. */
+/* E over the number of nodes, with the sharp weights and without the place; those of m are kept. */
 static double
 mean_misfit(Misfit *m, const double *phi)
 {
-	double w = m->w, alpha = m->alpha, E;
+	double w = m->w, alpha = m->alpha, stretch = m->stretch, E;
+	const double *place = m->place;
 
 	set_weights(m, 1);
+	m->place = NULL;
+	m->stretch = 1;
 	E = misfit_energy(m, phi);
 	m->w = w;
 	m->alpha = alpha;
+	m->place = place;
+	m->stretch = stretch;
 	return E/((double)m->g.nu*m->g.nv);
 }
 

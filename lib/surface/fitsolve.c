@@ -70,7 +70,7 @@ precondition(void *work, const double *r, double *z)
 	double w = k->m->w;
 
 	field_scale(k->n, 1, r, z);
-	plate_solve(&k->plate, k->m->scale, TENSION*w*w*k->m->scale, z);
+	plate_solve(&k->plate, k->m->scale, TENSION*w*w*k->m->scale, k->m->stiffness, z);
 	k->solves++;
 	if (k->deflate && patch_correct(&k->patch, z))
 		k->error = FIT_ENOMEM;

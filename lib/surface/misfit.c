@@ -5,6 +5,7 @@
 #include "misfit.h"
 #include "misfitborder.h"
 #include "misfitnode.h"
+#include "misfitplace.h"
 
 static const double FINEST = 2;         /* H is clipped where n would turn by more over a cell */
 static const double BLUR = 1e-6;        /* smooths n where phi_u x phi_v is small, misfit.h */
@@ -57,7 +58,7 @@ misfit_init(Misfit *m, Chart g, const double *lambda2, const double *l2H, const 
 {
 	size_t n = (size_t)g.nu*g.nv;
 
-	*m = (Misfit){ .g = g, .residue = residue, .blur = residue ? 0 : BLUR };
+	*m = (Misfit){ .g = g, .residue = residue, .blur = residue ? 0 : BLUR, .stretch = 1 };
 	m->lambda2 = malloc(n*sizeof(double));
 	m->l2H2 = malloc(n*sizeof(double));
 	m->o = malloc(n*sizeof(double));
@@ -86,6 +87,7 @@ misfit_free(Misfit *m)
 	free(m->o);
 	free(m->row);
 	free(m->work);
+	free(m->hold);
 	memset(m, 0, sizeof *m);
 }
 
@@ -138,6 +140,8 @@ misfit_energy(const Misfit *m, const double *phi)
 			for (k = 0; k < q.count; k++)
 				m->row[j] += e[k];
 		}
+		if (m->place)
+			m->row[j] += misfit_place_row(m, phi, j);
 	}
 	return total(m, m->row) + (m->free ? misfit_border_energy(m, phi, &at, &most) : 0);
 }

@@ -51,6 +51,18 @@ typedef struct Residue {
 	const double *nu[2], *tau[2];
 } Residue;
 
+/* Positions that hold the surface where it is in the long waves:  E gains the line
+ *
+ *   sum over the inner nodes of kappa |phi - place|^2 T/<lambda^2>
+ *
+ * and the third line loses all but a hundredth.  kappa is the fourth power of a wave number, like the
+ * stiffness of the first line: waves shorter than that follow lambda and H, longer ones the place.
+ * doc/mathematics.md 6.8. */
+typedef struct MisfitPlace {
+	const double *phi;              /* [3][nv][nu] */
+	double        s;                /* the place has no waves of wave number above 1/s on the surface */
+} MisfitPlace;
+
 typedef struct Misfit {
 	Chart          g;
 	double         w, alpha;        /* w per unit of u: a wave number over sqrt(T) */
@@ -61,6 +73,10 @@ typedef struct Misfit {
 	double        *row, *work;      /* workspace: sums of rows; adjoint rows */
 	const Residue *residue;         /* or NULL */
 	int            free;            /* the border nodes are unknowns */
+	const double  *place;           /* or NULL */
+	double        *hold;            /* [nv][nu] kappa T/<lambda^2>, or NULL */
+	double         stiffness;       /* of the hold, the same for all nodes: for the preconditioner */
+	double         stretch;         /* share of the third line */
 } Misfit;
 
 /* Copies lambda2 = lambda^2 > 0 and l2H = lambda^2 H; keeps the pointer residue (or NULL).  The
@@ -72,6 +88,10 @@ void misfit_free(Misfit *m);
 /* Makes the boundary free.  Residues are not defined on the border, so the target there is a
  * conformal metric. */
 void misfit_set_free(Misfit *m);
+
+/* Holds the surface at a place, whose pointer is kept; or not (NULL), until it is held again.  Returns
+ * 0 or MISFIT_ENOMEM. */
+int  misfit_hold(Misfit *m, const MisfitPlace *place);
 
 /* E, and the node with the largest contribution: an inner one unless the boundary is free. */
 double misfit_energy(const Misfit *m, const double *phi);

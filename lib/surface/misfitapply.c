@@ -10,6 +10,7 @@
 #include "misfit.h"
 #include "misfitborder.h"
 #include "misfitnode.h"
+#include "misfitplace.h"
 
 /* The range of nodes along one axis whose positions are unknowns. */
 static Range
@@ -151,6 +152,8 @@ apply(const Misfit *m, const double *phi, const double *d, double *g)
 		zero_rows(m, 0, rows.from, g);
 		zero_rows(m, rows.to, m->g.nv, g);
 	}
+	if (m->place)
+		misfit_place_apply(m, phi, d, g);
 }
 
 void

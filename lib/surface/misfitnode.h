@@ -92,8 +92,8 @@ weights(const Misfit *m, const Quad *q, Nodes w[MISFIT_PARTS])
 		w[0] *= area2;
 	}
 	w[1] = w[2] = m->alpha*m->alpha*metric*o;
-	w[3] = m->w*m->w*metric;
-	w[4] = w[5] = w[3]*o;
+	w[3] = m->w*m->w*metric*m->stretch;
+	w[4] = w[5] = m->w*m->w*metric*o;
 }
 
 INLINE void

@@ -70,6 +70,8 @@ patch_set(Patch *p, const double *phi)
 	for (r = 0; r < p->rows; r++)
 		for (k = 0; k < BESIDE*BESIDE; k++)
 			add_block(p, r, k/BESIDE, k%BESIDE);
+	for (i = 0; i < 3*p->nodes && p->m->place; i++)
+		p->value[p->column[i]] += p->m->hold[p->node[i/3]];
 	for (i = 0; i < 3*p->nodes; i++)
 		most = fmax(most, p->value[p->column[i]]);
 	for (i = 0; i < 3*p->nodes; i++)

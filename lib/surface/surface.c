@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "anchor.h"
+#include "cornersmooth.h"
 #include "frame.h"
 #include "../base/field.h"
 #include "../grid/resample.h"
@@ -97,7 +98,8 @@ coarsen(const Level *f, Level *l)
 }
 
 static int
-fit_level(const Level *l, const Residue *residue, int free, const FitOptions *o, FitProgress *at)
+fit_level(const Level *l, int finest, const Residue *residue, const MisfitPlace *place, int free,
+	const FitOptions *o, FitProgress *at)
 {
 	Misfit m;
 	int r;
@@ -106,16 +108,23 @@ fit_level(const Level *l, const Residue *residue, int free, const FitOptions *o,
 		return SURFACE_ENOMEM;
 	if (free)
 		misfit_set_free(&m);
+	if (misfit_hold(&m, place)) {
+		misfit_free(&m);
+		return SURFACE_ENOMEM;
+	}
 	at->cost *= (size_t)at->nu*at->nv/(double)nodes(l->g);
 	r = fit(&m, o, l->phi, at);
 	at->cost += at->solves;
+	if (r > 0 && finest && !residue && corners_smooth(&m, l->phi))
+		r = SURFACE_ENOMEM;
 	misfit_free(&m);
 	return r;
 }
 
 /* Fits on the finest grid, whose phi holds the interpolated start. */
 static int
-fit_finest(const Surface *s, double unit, const Level *l, const FitOptions *o, FitProgress *at)
+fit_finest(const Surface *s, double unit, const Level *l, const MisfitPlace *place, const FitOptions *o,
+	FitProgress *at)
 {
 	size_t n = 3*nodes(l->g), p;
 	int r;
@@ -124,9 +133,32 @@ fit_finest(const Surface *s, double unit, const Level *l, const FitOptions *o, F
 		memcpy(s->detail, l->phi, n*sizeof *s->detail);
 	for (p = 0; s->forecast && p < n; p++)
 		l->phi[p] += s->forecast[p]/unit;
-	r = fit_level(l, s->residue, s->free, o, at);
+	r = fit_level(l, 1, s->residue, place, s->free, o, at);
 	for (p = 0; s->detail && p < n; p++)
 		s->detail[p] = (l->phi[p] - s->detail[p])*unit;
+	return r;
+}
+
+/* Starts from the place, and is held there. */
+static int
+fit_at_place(const Surface *s, double unit, const Level *l, const FitOptions *o, FitProgress *at)
+{
+	size_t n = nodes(l->g);
+	double *phi = malloc(3*n*sizeof *phi);
+	MisfitPlace place = { phi, s->place->s/unit };
+	FitOptions last = *o;
+	int c, i, j, r = SURFACE_ENOMEM, rings = s->free ? 0 : 1;
+
+	last.flat = FLAT;
+	if (phi) {
+		field_scale(3*n, 1/unit, s->place->phi, phi);
+		for (c = 0; c < 3; c++)
+			for (j = rings; j < l->g.nv - rings; j++)
+				for (i = rings; i < l->g.nu - rings; i++)
+					l->phi[c*n + (size_t)j*l->g.nu + i] = phi[c*n + (size_t)j*l->g.nu + i];
+		r = fit_finest(s, unit, l, &place, &last, at);
+	}
+	free(phi);
 	return r;
 }
 
@@ -172,6 +204,8 @@ descend(const Surface *s, double unit, const Level *l, const FitOptions *o, doub
 	Level below = { .phi = NULL };
 	int r, rings = s->free ? 0 : 1;
 
+	if (s->place)
+		return fit_at_place(s, unit, l, o, at);
 	if (has_coarser(l->g) && !resolves(s, l->g)) {
 		r = coarsen(l, &below);
 		if (!r)
@@ -187,12 +221,12 @@ descend(const Surface *s, double unit, const Level *l, const FitOptions *o, doub
 		return r;
 	last.flat = FLAT;
 	if (l->phi == finest)
-		return fit_finest(s, unit, l, &last, at);
+		return fit_finest(s, unit, l, NULL, &last, at);
 	coarse.tolerance = o->tolerance > ENOUGH ? o->tolerance : ENOUGH;
 	coarse.most = ROUGH;
 	coarse.sharpen = 0;
 	coarse.flat = s->free ? FLAT : FLAT_COARSE;
-	return fit_level(l, NULL, s->free, &coarse, at);
+	return fit_level(l, 0, NULL, NULL, s->free, &coarse, at);
 }
 
 /* Coarsening multiplies interior values by 0; set them to 0 first, since 0*NaN is NaN. */

@@ -30,6 +30,7 @@ typedef struct Surface {
 	double         start_end[2];    /* start_end[0] of the width and start_end[1] of the height */
 	const double  *start;           /* [3][nv][nu] of start_chart; NULL: the frame method on the
 	                                 * coarsest grid, from the three outer rings of phi */
+	const MisfitPlace *place;       /* or NULL; the start then, on the finest grid alone */
 	int            free;            /* the boundary is not held */
 	int            adrift;          /* free: the border of phi is not given, but a start is */
 	const double  *forecast;        /* [3][nv][nu], or NULL: a guess of the detail, added to the

@@ -1,0 +1,99 @@
+/* cornersmooth.c - smooths the corners of a fitted surface. */
+#include <stdlib.h>
+
+#include "../base/corner.h"
+#include "../grid/cornerfold.h"
+#include "../grid/stencil.h"
+#include "../poisson/plate.h"
+#include "cornersmooth.h"
+
+static const double DEGENERATE = 0.5;   /* o at the innermost node below which lambda goes to 0 */
+enum { LEAST = 3 };                     /* radius, in cells, from which there is something to smooth */
+
+static int
+wants(const Misfit *m, int k, const double *const phi[3])
+{
+	int radius = corner_radius(m->g);
+
+	if (!corner_exists(m->g, k) || radius < LEAST)
+		return 0;
+	return (!m->place && m->o[corner_node(m->g, k, 1, 1)] < DEGENERATE) || corner_folded(m->g, k, phi, radius);
+}
+
+/* Sets z to the share of Delta phi that is taken away around corner k. */
+static void
+add_source(Chart g, int k, const double *const phi[3], double *z)
+{
+	int radius = corner_radius(g), a, b, c, p;
+	double lap[3];
+
+	for (b = 1; b < radius; b++)
+		for (a = 1; a < radius; a++) {
+			p = corner_node(g, k, a, b);
+			stencil_laplacian(g, phi, p%g.nu, p/g.nu, lap);
+			for (c = 0; c < 3; c++)
+				z[(size_t)c*g.nu*g.nv + p] = corner_share(g, p%g.nu, p/g.nu)*lap[c];
+		}
+}
+
+/* phi becomes the place around the corners. */
+static void
+blend_with_place(const Misfit *m, double *phi)
+{
+	size_t n = (size_t)m->g.nu*m->g.nv, p;
+	double share;
+	int c;
+
+	for (p = 0; p < n; p++) {
+		share = m->hold[p] > 0 ? corner_share(m->g, p%m->g.nu, p/m->g.nu) : 0;
+		for (c = 0; c < 3 && share > 0; c++)
+			phi[c*n+p] += share*(m->place[c*n+p] - phi[c*n+p]);
+	}
+}
+
+/* If the border is ragged, the cell in corner k may still be folded.  Its inner node then goes halfway
+ * from the corner to the next node of the diagonal. */
+static void
+unfold(Chart g, int k, const double *const phi[3], double *moved)
+{
+	int from = corner_node(g, k, 0, 0), at = corner_node(g, k, 1, 1), to = corner_node(g, k, 2, 2), c;
+
+	if (!corner_cell_folded(g, k, phi, 0, 0))
+		return;
+	for (c = 0; c < 3; c++, moved += (size_t)g.nu*g.nv)
+		moved[at] = (moved[from] + moved[to])/2;
+}
+
+int
+corners_smooth(const Misfit *m, double *phi)
+{
+	size_t all = (size_t)m->g.nu*m->g.nv, p;
+	const double *const x[3] = { phi, phi + all, phi + 2*all };
+	int k, count = 0, which[4];
+	double *z = NULL;
+	Plate plate;
+
+	if (m->place)
+		blend_with_place(m, phi);
+	for (k = 0; k < 4; k++)
+		count += which[k] = wants(m, k, x);
+	if (!count)
+		return 0;
+	z = calloc(3*all, sizeof *z);
+	if (!z || plate_init(&plate, m->g, 0)) {
+		free(z);
+		return CORNERSMOOTH_ENOMEM;
+	}
+	for (k = 0; k < 4; k++)
+		if (which[k])
+			add_source(m->g, k, x, z);
+	plate_solve(&plate, 0, 1, 0, z);
+	for (p = 0; p < 3*all; p++)
+		phi[p] += z[p];
+	for (k = 0; k < 4; k++)
+		if (which[k])
+			unfold(m->g, k, x, phi);
+	plate_free(&plate);
+	free(z);
+	return 0;
+}
