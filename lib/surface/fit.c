@@ -19,6 +19,8 @@ static const double POOR = 0.25;        /* if the decrease is below this share o
                                          * the step is shortened */
 enum { SHORTER = 3 };           /* a step is shortened at most this often */
 static const double CREEP = 5e-4;       /* ten steps must lower E by at least this fraction */
+static const double ROUNDING = 1e-24;   /* E per node that rounding alone may leave: residuals of
+                                         * w = 100 times some units in the last place */
 
 /* Outcome of a step. */
 typedef struct Outcome {
@@ -128,16 +130,16 @@ remember(Past *past, double E, double moved)
  * only just below the tolerance while E is still falling fast.  If CG reached its limit of steps, it
  * may have missed slow components; then such a step counts only when E hardly falls any more.
  *
- * Returns FIT_CONVERGED, FIT_CREPT or 0. */
+ * exact: E is 0 up to rounding, which shortens steps at random.  Returns FIT_CONVERGED, FIT_CREPT or 0. */
 static int
-converged(const FitOptions *o, const Outcome *is, double E, double moved, const Past *past)
+converged(const FitOptions *o, const Outcome *is, double E, double moved, const Past *past, int exact)
 {
 	int then = past->steps%TEN, last = (past->steps - 1)%TEN;
 	double flat = is->spent ? STILL : FAST;
 
 	if (past->steps >= TEN
 	    && (past->E[then] - E < CREEP*past->E[then] || moved - past->moved[then] < o->tolerance))
-		return is->cut ? FIT_CREPT : FIT_CONVERGED;
+		return is->cut && !exact ? FIT_CREPT : FIT_CONVERGED;
 	if (is->cut)
 		return 0;
 	return is->change < (E > flat*past->E[last] ? 1 : SURE)*o->tolerance || is->predicted <= o->flat*E
@@ -188,7 +190,7 @@ fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 		at->solves = k.solves;
 		if (o->report)
 			o->report(o->ctx, at);
-		done = converged(o, &is, E, moved, &past);
+		done = converged(o, &is, E, moved, &past, E < ROUNDING*m->g.nu*m->g.nv);
 		flat = done || E > STEEP*past.E[(past.steps - 1)%TEN];
 		share = blunt && is.accepted ? sharpness(m, phi) : 0;
 		if (blunt && is.accepted && (flat || share == 1)) {
