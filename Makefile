@@ -138,14 +138,14 @@ check:
 	$(MAKE) -O $(CHECKS)
 
 # Each program of tests and each file of command tests is a target of its own: make -j2 check
-# runs two at a time.  Threads that wait sleep: if they spin while the cores are busy with
-# another test, test_surface takes ten times as long.
+# runs two at a time.  Threads that wait sleep, as in the commands: if they spin while the cores
+# are busy with another test, test_surface takes ten times as long.
 UNITRUN := $(UNIT:%=run-%)
 FUZZRUN := $(FUZZ:%=run-fuzz-%)
 BATSRUN := $(patsubst %,run-%,$(wildcard tests/*.bats))
 CHECKS  := $(BATSRUN) $(UNITRUN) $(FUZZRUN)
 
-$(CHECKS): export OMP_WAIT_POLICY = passive
+$(UNITRUN): export OMP_WAIT_POLICY = passive
 
 $(UNITRUN): run-%: %
 	$<
