@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../grid/bicubic.h"
+#include "carry.h"
 #include "gridlaplace.h"
 #include "../grid/lambdah.h"
 #include "polish.h"
@@ -65,12 +66,6 @@ grid_free(Grid *a)
 	free(a->x);
 	a->x = NULL;
 }
-
-/* The map of a grid onto itself as displacements in grid steps: node (i,j) goes to
- * (i + du, j + dv). */
-typedef struct Shift {
-	double *du, *dv, T;     /* T of the new chart */
-} Shift;
 
 static int
 find_shift(const Grid *a, int metric, Shift *s)
@@ -141,22 +136,6 @@ resample(const Sampler *sampler, const Grid *a, const Shift *s, Grid *b)
 	return sampler_grid(sampler, b->g, b->x, b->y, b->phi) ? POLISH_ENOMEM : 0;
 }
 
-/* Moves n points (pu,pv) of the chart g by the shift to the new chart of height s->T. */
-static void
-shift_points(Chart g, const Shift *s, int n, double *pu, double *pv)
-{
-	int i;
-
-	#pragma omp parallel for schedule(static)
-	for (i = 0; i < n; i++) {
-		double x = pu[i]*(g.nu - 1), y = pv[i]/g.T*(g.nv - 1);
-		Bicubic at = bicubic_at(g.nu, g.nv, x, y);
-
-		pu[i] = fmin(fmax((x + bicubic_value(&at, s->du))/(g.nu - 1), 0), 1);
-		pv[i] = fmin(fmax((y + bicubic_value(&at, s->dv))/(g.nv - 1), 0), 1)*s->T;
-	}
-}
-
 /* The mean modulus of the Beltrami coefficient.  mu: workspace, one number for each inner node. */
 static double
 mean_beltrami(const Grid *a, double *mu)
@@ -221,7 +200,7 @@ advance(const Sampler *sampler, int metric, const State *a, State *b, Shift *shi
 	e = resample(sampler, &a->grid, shift, &b->grid);
 	if (e)
 		return e;
-	shift_points(a->grid.g, shift, b->n, b->pu, b->pv);
+	carry_points(a->grid.g, shift, b->n, b->pu, b->pv);
 	b->mean = mean_beltrami(&b->grid, mu);
 	return 0;
 }

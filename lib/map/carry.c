@@ -1,0 +1,112 @@
+/* carry.c - displacements of points by interpolation. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "../grid/bicubic.h"
+#include "carry.h"
+
+enum { PASSES = 100 };
+
+/* The place to which node p goes. */
+static void
+image(Chart g, const Shift *s, int p, double x[2])
+{
+	x[0] = p%g.nu + s->du[p];
+	x[1] = p/g.nu + s->dv[p];
+}
+
+/* Whether the cell whose first node is p has a corner at which it is turned over or flat. */
+static int
+is_turned(Chart g, const Shift *s, int p)
+{
+	const int node[4] = { p, p + 1, p + 1 + g.nu, p + g.nu };
+	double x[4][2];
+	int k, turned = 0;
+
+	for (k = 0; k < 4; k++)
+		image(g, s, node[k], x[k]);
+	for (k = 0; k < 4; k++) {
+		const double *o = x[k], *a = x[(k+1)%4], *b = x[(k+3)%4];
+
+		turned |= !((a[0] - o[0])*(b[1] - o[1]) > (b[0] - o[0])*(a[1] - o[1]));
+	}
+	return turned;
+}
+
+/* Replaces the displacement of node p by the mean of its neighbours'; a node of a side stays on
+ * it. */
+static void
+smooth(Chart g, const Shift *s, int p)
+{
+	int i = p%g.nu, j = p/g.nu, inner_u = i > 0 && i < g.nu - 1, inner_v = j > 0 && j < g.nv - 1;
+	double du = 0, dv = 0;
+
+	if (inner_u)
+		du += s->du[p-1] + s->du[p+1], dv += s->dv[p-1] + s->dv[p+1];
+	if (inner_v)
+		du += s->du[p-g.nu] + s->du[p+g.nu], dv += s->dv[p-g.nu] + s->dv[p+g.nu];
+	if (inner_u)
+		s->du[p] = du/(2*inner_u + 2*inner_v);
+	if (inner_v)
+		s->dv[p] = dv/(2*inner_u + 2*inner_v);
+}
+
+/* Smooths at turned cells until none is turned. */
+static void
+turn_back(Chart g, const Shift *s)
+{
+	int pass, p, turned = 1;
+
+	for (pass = 0; pass < PASSES && turned; pass++)
+		for (turned = 0, p = 0; p < g.nu*(g.nv - 1); p++)
+			if (p%g.nu < g.nu - 1 && is_turned(g, s, p)) {
+				smooth(g, s, p);
+				smooth(g, s, p + 1);
+				smooth(g, s, p + g.nu);
+				smooth(g, s, p + g.nu + 1);
+				turned = 1;
+			}
+}
+
+/* Bilinear interpolation of f at (x,y), in grid steps. */
+static double
+bilinear(Chart g, const double *f, double x, double y)
+{
+	int i = x < g.nu - 2 ? (int)x : g.nu - 2, j = y < g.nv - 2 ? (int)y : g.nv - 2;
+	double t = x - i, r = y - j;
+
+	f += (size_t)j*g.nu + i;
+	return (1 - r)*((1 - t)*f[0] + t*f[1]) + r*((1 - t)*f[g.nu] + t*f[g.nu+1]);
+}
+
+/* The coordinate of a moved point by bicubic interpolation, `cubic`, and by bilinear, `linear`; 0 and
+ * n are two sides.  Bilinear interpolation keeps inner points inside.  Where the displacement varies
+ * much within a cell, bicubic interpolation may push them onto a side, all the points of a limb to
+ * the same place; so it may change the distance from a side by a factor of two at most. */
+static double
+keep_off(double cubic, double linear, int n)
+{
+	double x = fmin(fmax(cubic, linear/2), 2*linear);
+
+	return fmax(fmin(x, n - (n - linear)/2), n - 2*(n - linear));
+}
+
+void
+carry_points(Chart g, Shift *s, int n, double *pu, double *pv)
+{
+	const int mu = g.nu - 1, mv = g.nv - 1;
+	int i;
+
+	if (n > 0)
+		turn_back(g, s);
+	#pragma omp parallel for schedule(static)
+	for (i = 0; i < n; i++) {
+		double x = fmin(fmax(pu[i]*mu, 0), mu), y = fmin(fmax(pv[i]/g.T*mv, 0), mv);
+		Bicubic at = bicubic_at(g.nu, g.nv, x, y);
+		double a = keep_off(x + bicubic_value(&at, s->du), x + bilinear(g, s->du, x, y), mu);
+		double b = keep_off(y + bicubic_value(&at, s->dv), y + bilinear(g, s->dv, x, y), mv);
+
+		pu[i] = fmin(fmax(a/mu, 0), 1);
+		pv[i] = fmin(fmax(b/mv, 0), 1)*s->T;
+	}
+}
