@@ -54,7 +54,7 @@ static const char text[] =
 "                     the grid becomes more conformal, 0..100 [12]\n"
 "      --uv=FILE      write the mesh, with its (u,v) and offsets from the grid, to FILE {uv ends}:\n"
 "                     for textures, and grid2mesh --on; vertices of no face get -1,-1;\n"
-"                     turned triangles are noted; FILE is neither MESH nor output\n"
+"                     no triangle is turned over, else noted; FILE is neither MESH nor output\n"
 CMD_USAGE
 "With --split of 1 or more, on smooth surfaces and with a grid as fine as the mesh, the error\n"
 "of H is of second order in the mesh size; a mesh of more than a quarter of --max-vertices\n"

@@ -582,6 +582,20 @@ disks_is_disk(const Disk *d)
 	return same;
 }
 
+int
+disks_turned(const Disk *d, const double *u, const double *v)
+{
+	int f, n = 0;
+
+	for (f = 0; f < d->m.nf; f++) {
+		const int *t = &d->m.tri[3*f];
+		long double a = u[t[0]], b = v[t[0]];
+
+		n += (u[t[1]] - a)*(v[t[2]] - b) < (u[t[2]] - a)*(v[t[1]] - b);
+	}
+	return n;
+}
+
 typedef int Shape(Made *m, int n);
 static const struct { const char *name; Shape *make; } SHAPES[] = {
 	{ "square", square }, { "polygon", polygon }, { "star", star }, { "star", star },

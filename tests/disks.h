@@ -39,4 +39,8 @@ int disks_reordered(const Disk *d, uint64_t seed, Disk *other);
  * first vertex. */
 int disks_is_disk(const Disk *d);
 
+/* The number of triangles that are turned over at the places u, v of their corners, computed with more
+ * digits than the places have. */
+int disks_turned(const Disk *d, const double *u, const double *v);
+
 #endif

@@ -7,7 +7,6 @@
 #include "../lib/map/adapt.h"
 #include "../lib/map/rectmap.h"
 #include "../lib/mesh/refine.h"
-#include "../lib/map/untangle.h"
 #include "../lib/base/vec3.h"
 #include "surfaces.h"
 #include "synthdisk.h"
@@ -194,43 +193,6 @@ ends_at_every_limit(void **state)
 	disk_free(&d);
 }
 
-/* A vertex moved out of the ring of its neighbours flips triangles.  untangle turns them back and
- * moves at most 12 vertices. */
-static void
-untangle_sets_right(void **state)
-{
-	Synth s;
-	SynthDomain dom;
-	Disk d;
-	double *xy, *u, *v;
-	int corner[4] = { -1, -1, -1, -1 }, i, k, inner = -1, turned, moved = 0;
-
-	(void)state;
-	synth_disk("rectangle", 2000, &s, &dom, &d, &xy);
-	u = malloc(d.m.nv*sizeof *u), v = malloc(d.m.nv*sizeof *v);
-	for (i = 0; i < d.m.nv; i++) {
-		u[i] = xy[2*i]/dom.x1, v[i] = xy[2*i+1]/dom.x1;
-		if (fabs(u[i] - 0.5) < 0.02 && fabs(v[i] - 0.3) < 0.02)
-			inner = i;
-	}
-	for (i = 0; i < d.nb; i++)
-		for (k = 0; k < 4; k++)
-			if (d.loop[i] == k)
-				corner[k] = i;
-	assert_true(inner >= 0);
-	assert_int_equal(untangle(&d, corner, u, v, &turned), 0);
-	assert_int_equal(turned, 0);
-	u[inner] += 0.08;
-	assert_true(rectmap_flipped(&d.m, u, v) > 0);
-	assert_int_equal(untangle(&d, corner, u, v, &turned), 0);
-	assert_int_equal(turned, 0);
-	for (i = 0; i < d.m.nv; i++)
-		moved += fabs(u[i] - xy[2*i]/dom.x1) > 1e-15 || fabs(v[i] - xy[2*i+1]/dom.x1) > 1e-15;
-	assert_true(moved > 0 && moved <= 12);
-	free(xy), free(u), free(v);
-	disk_free(&d);
-}
-
 int
 main(void)
 {
@@ -241,7 +203,6 @@ main(void)
 		cmocka_unit_test(modulus_to_1e_4),
 		cmocka_unit_test(stops_at_the_limit),
 		cmocka_unit_test(ends_at_every_limit),
-		cmocka_unit_test(untangle_sets_right),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

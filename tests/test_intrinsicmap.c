@@ -193,6 +193,7 @@ random_disks_are_mapped(void **state)
 		assert_true(finite(&c));
 		assert_true(c.certificate > -1e-9);
 		assert_true(c.certificate <= 1e-2 || (soak && c.vertices > 250000));
+		assert_true(c.uv.turned == 0 && disks_turned(&d, c.u, c.v) == 0);
 		check_intrinsic(&d, vertex);
 		overlaid += c.overlaid > 0;
 		conformal_free(&c);

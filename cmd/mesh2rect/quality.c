@@ -17,7 +17,7 @@ quality_meta(Lhg *out, const Disk *d, const int corner[4], double apart, const C
 		cmd_meta(out, "like", "%.6g", apart);
 	cmd_meta(out, "certificate", "%.6g", c->certificate);
 	cmd_meta(out, "solved", "%d", c->vertices);
-	cmd_meta(out, "turned", "%d", c->turned);
+	cmd_meta(out, "turned", "%d", c->uv.turned);
 	cmd_meta(out, "overlaid", "%d", c->overlaid);
 	cmd_meta(out, "polished", "%d", c->polished);
 }
@@ -42,7 +42,7 @@ quality_notes(const char *mesh, const char *uv, const Disk *d, const ConformalOp
 	const Conformal *c)
 {
 	detail("T %.6g, certificate %.3g on %d vertices, %d triangles turned over, %d rounds of polish",
-	    c->grid.g.T, c->certificate, c->vertices, c->turned, c->polished);
+	    c->grid.g.T, c->certificate, c->vertices, c->uv.turned, c->polished);
 	if (c->overlaid && o->surface == SAMPLER_SMOOTH)
 		detail("%s: %d of %d triangles are turned over or flat if drawn with straight edges in (u,v): "
 		    "near them the facets are sampled", mesh, c->overlaid, d->m.nf);
@@ -50,7 +50,10 @@ quality_notes(const char *mesh, const char *uv, const Disk *d, const ConformalOp
 	if (c->solved_turned)
 		note("%s: the map turns over %d triangles of the mesh that it was solved on: parts of the surface "
 		    "are as small as the rounding of its coordinates", mesh, c->solved_turned);
-	if (uv && c->turned)
-		note("%s: %d of %d triangles are turned over in (u,v), where edges are straight", uv, c->turned,
+	if (uv && c->uv.moved)
+		detail("%s: %d of %d vertices are up to %.2g away from their places, so that triangles are not "
+		    "turned over", uv, c->uv.moved, d->m.nv, c->uv.farthest);
+	if (uv && c->uv.turned)
+		note("%s: %d of %d triangles are turned over in (u,v), where edges are straight", uv, c->uv.turned,
 		    d->m.nf);
 }

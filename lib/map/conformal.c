@@ -5,9 +5,9 @@
 
 #include "../grid/gridloss.h"
 #include "../intrinsic/overlay.h"
+#include "../mesh/boundarysplit.h"
 #include "conformal.h"
 #include "intrinsicmap.h"
-#include "untangle.h"
 
 /* A grid from linear elements is not polished if its mean modulus of the Beltrami coefficient is at
  * most this: the error of H then comes from the roughness of (u,v), which polishing does not
@@ -68,7 +68,10 @@ sample_map(const Sampling *m, const int corner[4], Chart g, Conformal *c)
 
 	g.T = m->s->l.T;
 	e = m->options->keep > 0 ? sample_enough(m, g, c) : sample_and_polish(m, g, 0, c, &less);
-	return e || untangle(m->d, corner, c->u, c->v, &c->turned) ? SPD_ENOMEM : 0;
+	if (e || untangle(m->d, corner, c->grid.g.T, c->u, c->v, &c->uv))
+		return SPD_ENOMEM;
+	c->uv.turned += boundary_split_turned(m->d, c->u, c->v);
+	return 0;
 }
 
 /* A map of d, solved on a finer mesh. */

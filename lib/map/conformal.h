@@ -4,6 +4,7 @@
 
 #include "adapt.h"
 #include "polish.h"
+#include "untangle.h"
 
 typedef struct ConformalOptions {
 	AdaptOptions map;
@@ -23,7 +24,7 @@ typedef struct Conformal {
 	int     overlaid;       /* triangles of the disk that are turned over or flat in (u,v), with
 	                         * straight sides; near them facets are sampled (sampler_overlay) */
 	int     solved_turned;  /* triangles of negative (u,v) area, of the mesh of the solve */
-	int     turned;         /* triangles of negative (u,v) area, of the disk, in the end */
+	Untangled uv;           /* what became of turned triangles of the disk */
 	int     polished;       /* rounds of polishing that were kept */
 } Conformal;
 

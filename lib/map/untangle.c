@@ -1,166 +1,185 @@
-/* untangle.c - local relaxation of turned triangles. */
+/* untangle.c - places with which no triangle is turned over. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "collapse.h"
 #include "harmonic.h"
-#include "rectmap.h"
+#include "pocket.h"
+#include "relax.h"
 #include "untangle.h"
-#include "../base/vec3.h"
+#include "vertexkey.h"
 
-enum { RINGS = 8, SWEEPS = 30 };
-enum { HOLD_U = SIDE_LEFT | SIDE_RIGHT, HOLD_V = SIDE_BOTTOM | SIDE_TOP };
+static const double APART = 1e-9;       /* distance of vertices of a side that had the same place */
 
-typedef struct Tangle {
-	const Disk    *d;
-	double        *u, *v;
-	unsigned char *hold;    /* [nv] the sides of each vertex, which fix u or v */
-	unsigned char *moving;  /* [nv] */
-	double        *sum;     /* [nv][3] sums of weights, of weighted u, of weighted v */
-} Tangle;
-
-static int
-is_turned(const Tangle *t, int f)
+/* Brings all places into the rectangle, and those of the vertices of its sides onto them. */
+static void
+put_on_sides(const Tangle *t, double T)
 {
-	const int *c = &t->d->m.tri[3*f];
+	int i;
 
-	return (t->u[c[1]] - t->u[c[0]])*(t->v[c[2]] - t->v[c[0]])
-	    < (t->u[c[2]] - t->u[c[0]])*(t->v[c[1]] - t->v[c[0]]);
+	for (i = 0; i < t->d->m.nv; i++) {
+		double *x = &t->place[2*(size_t)i];
+		int side = t->side[i];
+
+		x[0] = side & SIDE_LEFT ? 0 : side & SIDE_RIGHT ? 1 : fmin(fmax(x[0], 0), 1);
+		x[1] = side & SIDE_BOTTOM ? 0 : side & SIDE_TOP ? T : fmin(fmax(x[1], 0), T);
+	}
 }
 
-/* Marks the vertices of turned triangles as moving; with widen, also every vertex that shares a
- * triangle with a moving one. */
-static int
-mark_moving(Tangle *t, int widen)
+/* Spreads the m places at x evenly over the interval that they take, which is first made a little
+ * longer, but not as far as the places x[-1] and x[m] beside it. */
+static void
+spread(int m, double *x)
 {
-	unsigned char *old = malloc(t->d->m.nv);
-	int f, k;
+	double lo = x[0], hi = x[0], more;
+	int k;
 
-	if (!old)
+	for (k = 1; k < m; k++)
+		lo = fmin(lo, x[k]), hi = fmax(hi, x[k]);
+	more = fmax((hi - lo)/m, APART);
+	lo = fmax(lo - more, (x[-1] + lo)/2);
+	hi = fmin(hi + more, (x[m] + hi)/2);
+	for (k = 0; k < m; k++)
+		x[k] = lo + (hi - lo)*(k + 0.5)/m;
+}
+
+/* Sorts the places x[0] < .. < x[n] along a side.  Those that are not above all before them and below
+ * all behind them are spread.  below: workspace, [n] */
+static void
+sort_side(int n, double *x, double *below)
+{
+	double most = x[0];
+	int i, first = 1;
+
+	for (below[n-1] = x[n], i = n - 2; i >= 0; i--)
+		below[i] = fmin(x[i+1], below[i+1]);            /* the least place behind i */
+	for (i = 1; i <= n; i++)
+		if (i == n || (x[i] > most && x[i] < below[i])) {
+			if (first < i)
+				spread(i - first, &x[first]);
+			most = x[i];
+			first = i + 1;
+		} else
+			most = fmax(most, x[i]);
+}
+
+/* Makes the places along the boundary follow each other in the order of the loop.  Returns 0 or
+ * UNTANGLE_ENOMEM. */
+static int
+sort_boundary(const Tangle *t, const int corner[4])
+{
+	const Disk *d = t->d;
+	double *x = malloc(2*((size_t)d->nb + 1)*sizeof *x);
+	int k, i, n;
+
+	if (!x)
 		return UNTANGLE_ENOMEM;
-	memcpy(old, t->moving, t->d->m.nv);
-	for (f = 0; f < t->d->m.nf; f++) {
-		const int *c = &t->d->m.tri[3*f];
+	for (k = 0; k < 4; k++) {
+		const int back = k >= 2, axis = k%2;
 
-		if (is_turned(t, f) || (widen && (old[c[0]] | old[c[1]] | old[c[2]])))
-			for (k = 0; k < 3; k++)
-				t->moving[c[k]] = 1;
+		n = (corner[(k+1)%4] - corner[k] + d->nb)%d->nb;
+		for (i = 0; i <= n; i++)
+			x[back ? n - i : i] = t->place[2*(size_t)d->loop[(corner[k] + i)%d->nb] + axis];
+		sort_side(n, x, x + d->nb + 1);
+		for (i = 0; i <= n; i++)
+			t->place[2*(size_t)d->loop[(corner[k] + i)%d->nb] + axis] = x[back ? n - i : i];
 	}
-	free(old);
+	free(x);
 	return 0;
 }
 
-/* tan(angle/2) at corner k of triangle f. */
-static double
-half_tangent(const Mesh *m, int f, int k)
-{
-	const int *c = &m->tri[3*f];
-	double a[3], b[3], n[3];
-
-	sub3(&m->xyz[3*c[(k+1)%3]], &m->xyz[3*c[k]], a);
-	sub3(&m->xyz[3*c[(k+2)%3]], &m->xyz[3*c[k]], b);
-	cross3(a, b, n);
-	return norm3(n)/(norm3(a)*norm3(b) + dot3(a, b));
-}
-
-/* Adds the terms of triangle f to the sums of its corner k.  They are half of the mean value
- * weights of the two other corners; the neighbouring triangles add the other halves. */
-static void
-add_weights(const Tangle *t, int f, int k)
-{
-	const Mesh *m = &t->d->m;
-	const int *c = &m->tri[3*f];
-	double tangent = half_tangent(m, f, k), e[3], w, *sum = &t->sum[3*c[k]];
-	int i, q;
-
-	for (i = 1; i < 3; i++) {
-		q = c[(k+i)%3];
-		sub3(&m->xyz[3*q], &m->xyz[3*c[k]], e);
-		w = tangent/norm3(e);
-		sum[0] += w;
-		sum[1] += w*t->u[q];
-		sum[2] += w*t->v[q];
-	}
-}
-
-/* One Jacobi sweep: all moving vertices at once. */
-static void
-relax(const Tangle *t)
-{
-	const Mesh *m = &t->d->m;
-	int f, k, i;
-
-	memset(t->sum, 0, 3*(size_t)m->nv*sizeof *t->sum);
-	for (f = 0; f < m->nf; f++)
-		for (k = 0; k < 3; k++)
-			if (t->moving[m->tri[3*f+k]])
-				add_weights(t, f, k);
-	for (i = 0; i < m->nv; i++) {
-		const double *sum = &t->sum[3*i];
-
-		if (!t->moving[i] || !(sum[0] > 0 && sum[0] < HUGE_VAL))
-			continue;
-		if (!(t->hold[i] & HOLD_U))
-			t->u[i] = sum[1]/sum[0];
-		if (!(t->hold[i] & HOLD_V))
-			t->v[i] = sum[2]/sum[0];
-	}
-}
-
-/* The best (u,v) so far. */
-typedef struct Best {
-	double *u, *v;
-	int     turned;
-} Best;
-
-static void
-keep_if_better(const Tangle *t, Best *best)
-{
-	int turned = rectmap_flipped(&t->d->m, t->u, t->v);
-
-	if (turned >= best->turned)
-		return;
-	best->turned = turned;
-	memcpy(best->u, t->u, t->d->m.nv*sizeof *best->u);
-	memcpy(best->v, t->v, t->d->m.nv*sizeof *best->v);
-}
-
+/* Allocates what relax and collapse need. */
 static int
-run(Tangle *t, const int corner[4], Best *best)
+prepare(Tangle *t, const int corner[4], const double *u, const double *v)
 {
-	int ring, sweep, e = 0;
+	const Disk *d = t->d;
+	size_t nv = d->m.nv, nf = d->m.nf;
+	int vertex[4], k;
 
-	harmonic_sides(t->d, corner, t->hold);
-	for (ring = 0; ring < RINGS && best->turned > 0 && !e; ring++) {
-		e = mark_moving(t, ring > 0);
-		for (sweep = 0; sweep < SWEEPS && best->turned > 0 && !e; sweep++) {
-			relax(t);
-			keep_if_better(t, best);
-		}
+	for (k = 0; k < 4; k++)
+		vertex[k] = d->loop[corner[k]];
+	t->key = vertex_keys(&d->m, vertex);
+	t->inside = calloc(2*nv, 1);
+	t->mover = malloc(nv*sizeof *t->mover);
+	t->queue = malloc((nv + nf)*sizeof *t->queue);
+	t->e = calloc(4*nv + 7*nf, sizeof *t->e);
+	if (!t->key || !t->inside || !t->mover || !t->queue || !t->e || stars_init(&t->star, &d->m, u, v))
+		return UNTANGLE_ENOMEM;
+	t->ball = t->inside + nv;
+	t->tri = t->queue + nv;
+	t->force = t->e + 2*nv;
+	t->w = t->force + 2*nv;
+	t->area = t->w + 6*nf;
+	return 0;
+}
+
+static void
+release(Tangle *t)
+{
+	if (t->star.first)
+		stars_free(&t->star);
+	free(t->side);
+	free(t->place);
+	free(t->key);
+	free(t->inside);
+	free(t->mover);
+	free(t->queue);
+	free(t->e);
+}
+
+/* Turns the bad triangles back. */
+static int
+set_right(Tangle *t, const int corner[4], double T, const double *u, const double *v)
+{
+	if (prepare(t, corner, u, v) || pocket_sides(t->d, corner, t->side))
+		return UNTANGLE_ENOMEM;
+	put_on_sides(t, T);
+	if (sort_boundary(t, corner))
+		return UNTANGLE_ENOMEM;
+	memcpy(t->p, t->place, 2*(size_t)t->d->m.nv*sizeof *t->p);
+	relax(t);
+	relax_back(t);
+	collapse(t);
+	return 0;
+}
+
+/* The result: p, compared with the given u, v, which it replaces. */
+static void
+finish(const Tangle *t, double *u, double *v, Untangled *r)
+{
+	int i;
+
+	r->moved = r->farthest = 0;
+	for (i = 0; i < t->d->m.nv; i++) {
+		const double *p = &t->p[2*(size_t)i], far = hypot(p[0] - u[i], p[1] - v[i]);
+
+		r->moved += far > 0;
+		r->farthest = fmax(r->farthest, far);
+		u[i] = p[0], v[i] = p[1];
 	}
-	return e;
+	r->turned = tangle_count(t);
 }
 
 int
-untangle(const Disk *d, const int corner[4], double *u, double *v, int *turned)
+untangle(const Disk *d, const int corner[4], double T, double *u, double *v, Untangled *r)
 {
-	size_t nv = d->m.nv;
-	double *room = malloc(2*nv*sizeof *room);
-	Tangle t = { d, u, v, calloc(nv, 1), calloc(nv, 1), malloc(3*nv*sizeof *t.sum) };
-	Best best = { room, room + nv, 0 };
-	int e = UNTANGLE_ENOMEM;
+	size_t nv = d->m.nv, i;
+	Tangle t = { .d = d, .side = malloc(nv), .place = malloc(4*nv*sizeof *t.place) };
+	int e = t.side && t.place ? 0 : UNTANGLE_ENOMEM;
 
-	best.turned = rectmap_flipped(&d->m, u, v);
-	if (room && t.hold && t.moving && t.sum) {
-		memcpy(best.u, u, nv*sizeof *u);
-		memcpy(best.v, v, nv*sizeof *v);
-		e = run(&t, corner, &best);
-		memcpy(u, best.u, nv*sizeof *u);
-		memcpy(v, best.v, nv*sizeof *v);
+	if (!e) {
+		harmonic_sides(d, corner, t.side);
+		for (i = 0; i < nv; i++)
+			t.place[2*i] = u[i], t.place[2*i+1] = v[i];
+		put_on_sides(&t, T);
+		t.p = t.place + 2*nv;
+		memcpy(t.p, t.place, 2*nv*sizeof *t.p);
+		if (tangle_count(&t) > 0)
+			e = set_right(&t, corner, T, u, v);
 	}
-	*turned = best.turned;
-	free(room);
-	free(t.hold);
-	free(t.moving);
-	free(t.sum);
+	if (!e)
+		finish(&t, u, v, r);
+	release(&t);
 	return e;
 }

@@ -1,4 +1,5 @@
-/* untangle.h - removes the last few turned triangles of a map (doc/mathematics.md 3.5). */
+/* untangle.h - places in the rectangle with which no triangle is turned over if its edges are drawn
+ * straight (doc/mathematics.md 3.5). */
 #ifndef UNTANGLE_H
 #define UNTANGLE_H
 
@@ -6,15 +7,22 @@
 
 enum { UNTANGLE_ENOMEM = -1 };
 
-/* Moves the vertices of triangles whose (u,v) area is negative to the mean of their neighbours,
- * with mean value weights (Floater), which are positive.  If that is not enough, up to seven
- * rings of vertices around them move, too.  Vertices on a side of the rectangle stay on it, corners
- * do not move, and the rest of the map is unchanged.
+typedef struct Untangled {
+	int    turned;          /* triangles that are still turned over, or so thin that rounding
+	                         * leaves their sign open */
+	int    moved;           /* vertices that are not at their given places */
+	double farthest;        /* the largest distance from the given place */
+} Untangled;
+
+/* Moves vertices near triangles that are turned over, as few and as little as is found to be enough.
+ * All others keep their places.  Vertices of a side stay on that side, corners do not move.
  *
  * corner   indices into the boundary loop (corners.h)
- * turned   out  triangles of negative area that remain
+ * T        height of the rectangle
+ * u, v     in/out  [nv]; first brought into the rectangle, those of the sides onto these
+ * r        out
  *
  * Returns 0 or UNTANGLE_ENOMEM. */
-int untangle(const Disk *d, const int corner[4], double *u, double *v, int *turned);
+int untangle(const Disk *d, const int corner[4], double T, double *u, double *v, Untangled *r);
 
 #endif

@@ -5,6 +5,7 @@
 #include "../base/vec3.h"
 #include "boundarysplit.h"
 #include "subdivision.h"
+#include "topology.h"
 
 /* The side of the longest boundary edge. */
 static int
@@ -73,4 +74,20 @@ boundary_split(Disk *d)
 	s.d = (Disk){ 0 };
 	subdivision_free(&s);
 	return 0;
+}
+
+int
+boundary_split_turned(const Disk *d, const double *u, const double *v)
+{
+	int added = d->m.nv - 1, s, a = 0, b = 0, c = 0;
+
+	if (!d->file || d->file[added] >= 0)
+		return 0;
+	for (s = 0; s < 3*d->m.nf; s++)
+		if (d->twin[s] < 0 && d->m.tri[s] == added) {
+			b = d->m.tri[topology_next(s)];
+			c = d->m.tri[topology_next(topology_next(s))];
+		} else if (d->twin[s] < 0 && d->m.tri[topology_next(s)] == added)
+			a = d->m.tri[s];
+	return (u[b] - u[a])*(v[c] - v[a]) < (u[c] - u[a])*(v[b] - v[a]);
 }

@@ -9,4 +9,9 @@
  * of both ends.  Returns 0, or MESH_ENOMEM with d unchanged. */
 int boundary_split(Disk *d);
 
+/* 1 if the triangle that boundary_split has split is turned over at the places u, v of its corners, 0
+ * if not or if d has no such triangle.  The two triangles that it was split into may both be right
+ * then. */
+int boundary_split_turned(const Disk *d, const double *u, const double *v);
+
 #endif

@@ -1,0 +1,19 @@
+/* pocket.h - parts of a disk that no map onto a rectangle with straight edges can show. */
+#ifndef POCKET_H
+#define POCKET_H
+
+#include "../mesh/mesh.h"
+
+enum { POCKET_ENOMEM = -1 };
+
+/* An inner edge between two vertices of one side of the rectangle lies on that side.  The part of
+ * the disk behind it, its pocket, lies between the edge and the side, so it has no area, or some of
+ * its triangles are turned over.  This adds the bit of the side to all vertices of its pockets.
+ *
+ * corner  in      indices into the boundary loop (corners.h)
+ * side    in/out  [d->m.nv] of harmonic_sides
+ *
+ * Returns 0 or POCKET_ENOMEM. */
+int pocket_sides(const Disk *d, const int corner[4], unsigned char *side);
+
+#endif

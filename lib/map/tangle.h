@@ -1,0 +1,51 @@
+/* tangle.h - a disk with places in the rectangle, some of whose triangles are turned over; the parts
+ * of untangle.h.  Private to this wing. */
+#ifndef TANGLE_H
+#define TANGLE_H
+
+#include "../mesh/mesh.h"
+#include "../sample/gradient.h"
+
+/* A vertex that may move, with its number of vertexkey.h. */
+typedef struct Mover {
+	double key;
+	int    i;
+} Mover;
+
+/* The vertices that may move are those of the region; it grows. */
+typedef struct Tangle {
+	const Disk    *d;
+	unsigned char *side;    /* [nv] of harmonic_sides, and pockets (pocket.h) */
+	double        *place;   /* [nv][2] the places to be kept where possible */
+	double        *p;       /* [nv][2] the places now */
+	Stars          star;
+	double        *key;     /* [nv] of vertexkey.h */
+	unsigned char *inside;  /* [nv] 1 in the region */
+	Mover         *mover;   /* [nv] the vertices of the region, in the order of their keys */
+	int            n;
+	int           *tri, nt; /* [nf] the triangles at these vertices */
+	double        *w;       /* [3 nf][2] weights at entry k of star.side: of the next corner of the
+	                         * triangle, and of the one after it */
+	double        *e;       /* [nv][2] p - place */
+	double        *force;   /* [nv][2] (relax.h) */
+	double        *area;    /* [nf] twice the areas before relax_back */
+	int           *queue;   /* [nv] workspace of tangle_ball */
+	unsigned char *ball;    /* [nv] */
+} Tangle;
+
+/* Whether triangle f may be turned over: its area is negative, or not certain to be positive.
+ * Triangles that are flat beyond doubt are not: all corners on one side, or two at one place. */
+int  tangle_bad(const Tangle *t, const double *p, int f);
+
+/* The number of bad triangles at vertex i; of all. */
+int  tangle_star(const Tangle *t, const double *p, int i);
+int  tangle_count(const Tangle *t);
+
+/* Adds to queue[0..n-1] all vertices at most `rings` edges away from them, with 1 in t->ball.
+ * Returns the number of all. */
+int  tangle_ball(Tangle *t, int n, int rings);
+
+/* Sets t->ball to 0 for queue[0..n-1]. */
+void tangle_clear(Tangle *t, int n);
+
+#endif
