@@ -46,8 +46,8 @@ CMD_USAGE
 "square root of the area apart).  For very different ones it saves a tenth, and another of the\n"
 "surfaces that fit such data may be found (two teeth: 0.1 to 0.4 % apart).\n"
 "The metadata misfit, change and stopped say how well it fits and how the steps ended.  Steps\n"
-"that creep, cut short without gain, are noted; if ten moved the surface by over 1 % of\n"
-"sqrt(area), or without convergence, nothing is written.\n"
+"that creep, cut short, are noted; where ten moved the surface by over\n"
+"10 X (at least 5e-4), or without convergence, nothing is written.\n"
 "Memory: 31 numbers for each node, up to 58 where the grid leaves much unresolved; in all 25 to\n"
 "40 MB for 257 x 257 nodes, 75 to 105 MB for 513 x 513.  --follow adds 3 numbers for each node,\n"
 "--keyframes 9 + 2 N.\n"
@@ -78,7 +78,7 @@ convert_frame(const CmdInput *in, Lhg *g, const SurfaceFit *o)
 int
 main(int argc, char *argv[])
 {
-	SurfaceFit o = { .tolerance = 5e-5, .steps = 200 };
+	SurfaceFit o = { .tolerance = SURFACEFIT_TOLERANCE, .steps = 200 };
 	int opt, method = GRIDFIT_SURFACE, chained = 0, every = 0;
 	Before before = { 0 };
 	double *phi;

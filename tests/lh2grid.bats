@@ -63,6 +63,24 @@ H[:] += 100*abs(H).mean()*np.random.default_rng(1).normal(size=H.shape)"
 	[ "$(meta "$tmp/crept" stopped)" = crept ]
 }
 
+@test "a fit that creeps far is refused: above ten times the tolerance, and not below" {
+	mkmesh -n 2000 face | mesh2rect -q -n 40 | grid2lh -o "$tmp/small"
+	refused=0
+	for seed in 1 2 3 4 5 6 7 8; do
+		/usr/bin/python3 tests/hostile.py "$tmp/small" "$tmp/noisy" "a = g['lambda']
+a[:] *= 1.33**np.random.default_rng($seed).normal(size=a.shape)"
+		run --separate-stderr lh2grid "$tmp/noisy" -o "$tmp/far"
+		by=$(sed -n 's/.*\(moved\|move the surface\) by \([0-9.e-]*\) of sqrt.*/\2/p' <<<"$stderr")
+		if [ "$status" = 1 ]; then
+			below 5e-4 "$by"
+			refused=$((refused + 1))
+		else
+			below "${by:-0}" 5.1e-4
+		fi
+	done
+	[ "$refused" -gt 0 ]
+}
+
 @test "errors of lh2grid say what is wrong" {
 	grid2lh "$tmp/phi" | lhfft -K 2 -o "$tmp/two"
 	try 1 'no convergence in 1 steps: energy [0-9.e+]*, change .*, the largest residual at node \([0-9]+,[0-9]+\)' \

@@ -15,9 +15,10 @@
  * steps converge fast. */
 static const double EXACT = 1e-4;
 
-/* If the steps crept, and the changes of the last ten steps, over sqrt(area), sum to more than this,
- * the surface is refused: it is not known to a percent. */
-static const double UNSETTLED = 0.01;
+/* Sum of the changes of the last ten steps, over sqrt(area), above which a surface is refused whose
+ * steps crept: ten times the tolerance, the default one if that is larger.  The mean step was then
+ * longer than the one that counts as converged. */
+static const double UNSETTLED = 10, USUAL = SURFACEFIT_TOLERANCE;
 
 static const char *const START[3] = { "start.x", "start.y", "start.z" };
 static const char *const RESIDUE[4] = { "nu1", "nu2", "tau1", "tau2" };
@@ -146,11 +147,11 @@ seconds(void)
 
 /* If the steps crept, prints a note, or dies if the surface is not known well enough. */
 static void
-say_crept(const CmdInput *in, const FitProgress *at)
+say_crept(const CmdInput *in, const SurfaceFit *o, const FitProgress *at)
 {
 	if (at->stopped != FIT_CREPT)
 		return;
-	if (at->crept > UNSETTLED)
+	if (at->crept > UNSETTLED*fmax(o->tolerance, USUAL))
 		die("%s: no convergence: the last steps hardly lower the energy, %.4g, but move the surface by %.2g of "
 		    "sqrt(area); try fewer cells, or a stronger filter", in->name, at->energy, at->crept);
 	note("%s: the last steps crept: energy %.4g, moved by %.1e of sqrt(area) (metadatum stopped)", in->name,
@@ -190,7 +191,7 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 		how.tolerance *= EXACT;
 	}
 	switch (surface(&s, &how, phi, at)) {
-	case 1: say_crept(in, at); break;
+	case 1: say_crept(in, o, at); break;
 	case 0:
 		die("%s: no convergence in %d steps: energy %.4g, change %.2g, the largest residual at node (%d,%d)",
 	    in->name, at->step, at->energy, at->change, (int)(at->worst%g->nu), (int)(at->worst/g->nu));

@@ -5,6 +5,8 @@
 #include "../../lib/surface/fit.h"
 #include "../shared/cmd.h"
 
+#define SURFACEFIT_TOLERANCE 5e-5       /* by default */
+
 typedef struct SurfaceFit {
 	double  tolerance;
 	int     steps, no_start, no_place, ideal, free;
