@@ -47,14 +47,14 @@ CMD_USAGE
 "surfaces that fit such data may be found (two teeth: 0.1 to 0.4 % apart).\n"
 "The metadata misfit, change and stopped say how well it fits and how the steps ended.  Steps\n"
 "that creep, cut short, are noted; where ten moved the surface by over\n"
-"10 X (at least 5e-4), or without convergence, nothing is written.\n"
-"Memory: 31 numbers for each node, up to 58 where the grid leaves much unresolved; in all 25 to\n"
+"10 X, at least 5e-4 (free: .01), or without convergence, nothing is written.\n"
+"Memory: 31 numbers for each node, up to 61 where the grid leaves much unresolved; in all 25 to\n"
 "40 MB for 257 x 257 nodes, 75 to 105 MB for 513 x 513.  --follow adds 3 numbers for each node,\n"
 "--keyframes 9 + 2 N.\n"
 "The frame method solves the Codazzi equations, the natural frame equations (13) and those of\n"
 "x_u and x_v by least squares on cell centres, with three rings of the band given.  257 x 257\n"
 "nodes need 0.32 GB, 513 x 513 1.4 GB.\n"
-"-v prints steps, energy, and the cost in vector Poisson solves (six sine transforms each).\n";
+"-v prints steps, energy and cost in vector Poisson solves (six sine transforms each).\n";
 
 static const struct option longopt[] = {
 	{ "method",    required_argument, NULL, 'm' },

@@ -69,7 +69,7 @@ share=4
 	(ulimit -v 1000000 && try 1 'large: no memory: the detail of key frames needs about 1468800000 bytes, there are 1024000000$' \
 	    /dev/null lh2grid --keyframes=1000 "$tmp/large")
 	/usr/bin/python3 tests/hostile.py "$tmp/lh" "$tmp/large" 'g = size(1400, 1400, 3)'
-	(ulimit -v 840000 && try 1 'large: no memory: the surface method needs about 956480000 bytes, there are 860160000$' \
+	(ulimit -v 840000 && try 1 'large: no memory: the surface method needs about 1003520000 bytes, there are 860160000$' \
 	    /dev/null lh2grid --follow "$tmp/large")
 	(ulimit -v 1500000 && try 1 'cap.off: no memory: the map needs about 5996544000 bytes, there are 1536000000$' \
 	    /dev/null mesh2rect -n 4 --split=8 --max-vertices=100000000 "$tmp/cap.off")

@@ -15,7 +15,7 @@ enum { N = 34*45 };
 
 static double phi[3*N], lambda[N], H[N], lambda2[N], l2H[N], nu[2][N], tau[2][N];
 static double d[3*N], e[3*N], g[3*N], f[3*N], moved[3*N];
-static Residue residue = { { nu[0], nu[1] }, { tau[0], tau[1] } };
+static Residue residue = { { nu[0], nu[1] }, { tau[0], tau[1] }, 1 };
 
 /* Samples a torus patch, deformed by a wave so that it is neither symmetric nor conformal, and its
  * lambda, H and residues. */

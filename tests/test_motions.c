@@ -93,7 +93,7 @@ static void
 solve(enum Way way, const Data *a, double *phi)
 {
 	const FitOptions o = { .tolerance = way == FREE ? 3e-3 : 5e-5, .most = 200, .sharpen = 1 };
-	Residue residue = { { a->nu12[0], a->nu12[1] }, { a->tau[0], a->tau[1] } };
+	Residue residue = { { a->nu12[0], a->nu12[1] }, { a->tau[0], a->tau[1] }, 1 };
 	Surface s = { .g = { a->nu, a->nv, a->T, &CHART_RECTANGLE }, .lambda = a->lambda, .H = a->H,
 	    .residue = way == RESIDUES ? &residue : NULL, .start_chart = { a->lu, a->lv, a->T, &CHART_RECTANGLE },
 	    .start_end = { 1, 1 }, .start = way == NO_START ? NULL : a->start, .free = way == FREE };

@@ -6,6 +6,7 @@
 #include "../../lib/grid/lambdah.h"
 #include "../../lib/grid/stencil.h"
 #include "../shared/chartof.h"
+#include "../shared/exact.h"
 #include "../shared/place.h"
 #include "../shared/range.h"
 #include "lhchannels.h"
@@ -95,6 +96,8 @@ lhchannels(const CmdInput *in, Lhg *g, int curvature, int lattice, int place, in
 		add_residue(g, chart, phi, lambda);
 	else
 		lambdah_limit_corners(chart, H);
+	if (residual && curvature == LAMBDAH_NORMAL && !flaws.raised)
+		exact_promise(g);
 	add_positions(g, "band", LHG_BORDER, BAND, phi);
 	if (lattice)
 		add_positions(g, "start", LHG_LATTICE, lattice_step(g, lattice), phi);

@@ -8,7 +8,7 @@
 #include "gridfit.h"
 
 /* Memory that each method needs, and that --follow needs in addition, in doubles for each node. */
-enum { SURFACE_NUMBERS = 58, FRAME_NUMBERS = 680, FOLLOW_NUMBERS = 3 };
+enum { SURFACE_NUMBERS = 61, FRAME_NUMBERS = 680, FOLLOW_NUMBERS = 3 };
 
 double *
 gridfit(const CmdInput *in, Lhg *g, int method, int follows, const SurfaceFit *o)

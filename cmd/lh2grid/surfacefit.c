@@ -7,6 +7,7 @@
 #include "../../lib/surface/frame.h"
 #include "../../lib/surface/surface.h"
 #include "../shared/chartof.h"
+#include "../shared/exact.h"
 #include "../shared/place.h"
 #include "../shared/range.h"
 #include "surfacefit.h"
@@ -17,8 +18,9 @@ static const double EXACT = 1e-4;
 
 /* Sum of the changes of the last ten steps, over sqrt(area), above which a surface is refused whose
  * steps crept: ten times the tolerance, the default one if that is larger.  The mean step was then
- * longer than the one that counts as converged. */
-static const double UNSETTLED = 10, USUAL = SURFACEFIT_TOLERANCE;
+ * longer than the one that counts as converged.  With a free boundary surfaces bend at hardly any cost,
+ * and the bound is a percent. */
+static const double UNSETTLED = 10, UNSETTLED_FREE = 0.01, USUAL = SURFACEFIT_TOLERANCE;
 
 static const char *const START[3] = { "start.x", "start.y", "start.z" };
 static const char *const RESIDUE[4] = { "nu1", "nu2", "tau1", "tau2" };
@@ -151,7 +153,7 @@ say_crept(const CmdInput *in, const SurfaceFit *o, const FitProgress *at)
 {
 	if (at->stopped != FIT_CREPT)
 		return;
-	if (at->crept > UNSETTLED*fmax(o->tolerance, USUAL))
+	if (at->crept > (o->free ? UNSETTLED_FREE : UNSETTLED*fmax(o->tolerance, USUAL)))
 		die("%s: no convergence: the last steps hardly lower the energy, %.4g, but move the surface by %.2g of "
 		    "sqrt(area); try fewer cells, or a stronger filter", in->name, at->energy, at->crept);
 	note("%s: the last steps crept: energy %.4g, moved by %.1e of sqrt(area) (metadatum stopped)", in->name,
@@ -177,7 +179,7 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 	double *start = has_start(g, o) ? read_start(in, g, &s) : NULL, began = seconds();
 	MisfitPlace place;
 	double *held = read_place(in, g, o, &place);
-	Residue residue;
+	Residue residue = { .truncation = 1 };
 
 	s.place = held ? &place : NULL;
 	s.forecast = o->forecast;
@@ -188,10 +190,16 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 		die("%s: %d x %d nodes, a free boundary needs at least 3 x 3", in->name, g->nu, g->nv);
 	if (read_residue(in, g, o, &residue)) {
 		s.residue = &residue;
-		how.tolerance *= EXACT;
+		s.exact = exact_holds(g);
+		how.tolerance = EXACT*(s.exact ? fmin(o->tolerance, USUAL) : o->tolerance);
 	}
 	switch (surface(&s, &how, phi, at)) {
-	case 1: say_crept(in, o, at); break;
+	case 1:
+		if (s.exact && !s.free && at->stopped && !(at->misfit <= FIT_EXACT))
+			die("%s: the fit ends at another surface than the one of the residual channels: misfit %.2g, not 0; "
+			    "try other cells, or --ideal", in->name, at->misfit);
+		say_crept(in, o, at);
+		break;
 	case 0:
 		die("%s: no convergence in %d steps: energy %.4g, change %.2g, the largest residual at node (%d,%d)",
 	    in->name, at->step, at->energy, at->change, (int)(at->worst%g->nu), (int)(at->worst/g->nu));

@@ -130,16 +130,17 @@ remember(Past *past, double E, double moved)
  * only just below the tolerance while E is still falling fast.  If CG reached its limit of steps, it
  * may have missed slow components; then such a step counts only when E hardly falls any more.
  *
- * exact: E is 0 up to rounding, which shortens steps at random.  Returns FIT_CONVERGED, FIT_CREPT or 0. */
+ * If E is 0 up to rounding, that shortens steps at random.  Returns FIT_CONVERGED, FIT_CREPT or 0. */
 static int
-converged(const FitOptions *o, const Outcome *is, double E, double moved, const Past *past, int exact)
+converged(const FitOptions *o, const Outcome *is, double E, size_t nodes, double moved, const Past *past)
 {
 	int then = past->steps%TEN, last = (past->steps - 1)%TEN;
-	double flat = is->spent ? STILL : FAST;
+	int rounding = E < ROUNDING*nodes;
+	double flat = o->exact && E <= FIT_EXACT*nodes ? 0 : is->spent ? STILL : FAST;
 
 	if (past->steps >= TEN
 	    && (past->E[then] - E < CREEP*past->E[then] || moved - past->moved[then] < o->tolerance))
-		return is->cut && !exact ? FIT_CREPT : FIT_CONVERGED;
+		return is->cut && !rounding ? FIT_CREPT : FIT_CONVERGED;
 	if (is->cut)
 		return 0;
 	return is->change < (E > flat*past->E[last] ? 1 : SURE)*o->tolerance || is->predicted <= o->flat*E
@@ -178,6 +179,11 @@ fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 	k.tolerance = o->tolerance;
 	blunt = o->sharpen && sharpness(m, phi) < 1;
 	set_weights(m, o->sharpen && !blunt);
+	if (o->exact) {
+		m->w = o->exact->w/sqrt(m->g.T);
+		m->alpha = o->exact->alpha;
+		blunt = 0;
+	}
 	at->nu = m->g.nu, at->nv = m->g.nv, at->step = 0;
 	at->energy = E = misfit_energy(m, phi);
 	while (!done && !k.error && at->step < o->most && isfinite(E)) {
@@ -190,7 +196,7 @@ fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 		at->solves = k.solves;
 		if (o->report)
 			o->report(o->ctx, at);
-		done = converged(o, &is, E, moved, &past, E < ROUNDING*m->g.nu*m->g.nv);
+		done = converged(o, &is, E, (size_t)m->g.nu*m->g.nv, moved, &past);
 		flat = done || E > STEEP*past.E[(past.steps - 1)%TEN];
 		share = blunt && is.accepted ? sharpness(m, phi) : 0;
 		if (blunt && is.accepted && (flat || share == 1)) {

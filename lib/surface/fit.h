@@ -34,11 +34,22 @@ typedef struct FitProgress {
 	size_t worst;                   /* without convergence: the node of the largest residual */
 } FitProgress;
 
+/* The misfit up to which a surface with exact residues is the one they come from.  It is the square of an
+ * error: of all meshes at 257 and 513, 10 or more times that of (largest error)^2 over the area. */
+#define FIT_EXACT 1e-11
+
+typedef struct FitWeights {
+	double w, alpha;                /* w on a rectangle of area 1 */
+} FitWeights;
+
 typedef struct FitOptions {
 	double tolerance;               /* converged when change is smaller */
 	int    most;                    /* steps at most */
 	double flat;                    /* converged when the predicted decrease is below flat*E */
 	int    sharpen;                 /* adapt w and alpha to the data */
+	const FitWeights *exact;        /* or NULL.  Residues of the same surface as lambda and H, where E is 0
+	                                 * for any weights: these are taken, and once the misfit is FIT_EXACT
+	                                 * a step below the tolerance counts however fast E falls */
 	void (*report)(void *ctx, const FitProgress *at);       /* or NULL */
 	void  *ctx;
 } FitOptions;

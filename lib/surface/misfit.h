@@ -49,6 +49,8 @@ enum { MISFIT_ENOMEM = -1 };
  * With them every line of E is 0 for the surface they come from. */
 typedef struct Residue {
 	const double *nu[2], *tau[2];
+	double truncation;              /* factor of q^2 in o, 0 .. 1: with residues o only chooses the way to
+	                                 * the minimum, which is 0 */
 } Residue;
 
 /* Positions that hold the surface where it is in the long waves:  E gains the line

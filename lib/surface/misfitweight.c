@@ -17,6 +17,8 @@ misfit_weight(const Misfit *m, size_t p, double gradient2)
 	double l2 = m->lambda2[p], l2H = m->l2H2[p]/2;
 	double q2 = misfit_step2(m->g)*(l2H*l2H/l2 + 4*gradient2), relative = l2*m->scale/m->g.T;
 
+	if (m->residue)
+		q2 *= m->residue->truncation;
 	if (relative < LEAST)
 		return m->residue ? relative/LEAST/(1 + 4*q2) : 0;
 	return 1/(1 + 4*q2);

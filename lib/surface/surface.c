@@ -5,6 +5,7 @@
 
 #include "anchor.h"
 #include "cornersmooth.h"
+#include "fitexact.h"
 #include "frame.h"
 #include "../base/field.h"
 #include "../grid/resample.h"
@@ -133,7 +134,11 @@ fit_finest(const Surface *s, double unit, const Level *l, const MisfitPlace *pla
 		memcpy(s->detail, l->phi, n*sizeof *s->detail);
 	for (p = 0; s->forecast && p < n; p++)
 		l->phi[p] += s->forecast[p]/unit;
-	r = fit_level(l, 1, s->residue, place, s->free, o, at);
+	if (s->residue && s->exact && !s->free) {
+		at->cost *= (size_t)at->nu*at->nv/(double)nodes(l->g);
+		r = fitexact(l->g, l->lambda2, l->l2H, s->residue, o, l->phi, at);
+	} else
+		r = fit_level(l, 1, s->residue, place, s->free, o, at);
 	for (p = 0; s->detail && p < n; p++)
 		s->detail[p] = (l->phi[p] - s->detail[p])*unit;
 	return r;

@@ -26,6 +26,7 @@ typedef struct Surface {
 	Chart          g;
 	const double  *lambda, *H;      /* [nv][nu], lambda > 0 */
 	const Residue *residue;         /* or NULL */
+	int            exact;           /* they are of the same surface as lambda and H: the misfit there is 0 */
 	Chart          start_chart;     /* grid of the start; its last column and row lie at */
 	double         start_end[2];    /* start_end[0] of the width and start_end[1] of the height */
 	const double  *start;           /* [3][nv][nu] of start_chart; NULL: the frame method on the
@@ -47,7 +48,7 @@ typedef struct Surface {
  * at      out     progress at the last step
  *
  * Peak memory: 24 numbers for each node of the finest grid, besides lambda, H and phi, and up to 27
- * for unresolved nodes (patch.h).  Grids without an inner node stay as they are.  Returns 1 if the
+ * for unresolved nodes (patch.h), and 3 with exact residues.  Grids without an inner node stay as they are.  Returns 1 if the
  * finest grid converged, 0 if not, SURFACE_ENOMEM, SURFACE_ESTART or SURFACE_EPLACE; phi is then
  * unspecified. */
 int surface(const Surface *s, const FitOptions *o, double *phi, FitProgress *at);
