@@ -2,8 +2,6 @@
 #include "../shared/cmd.h"
 #include "quality.h"
 
-static const double FULL = 0.9; /* splitting may end at this fraction of --max-vertices */
-
 void
 quality_meta(Lhg *out, const Disk *d, const int corner[4], double apart, const Conformal *c)
 {
@@ -29,7 +27,7 @@ note_tolerance(const char *mesh, const AdaptOptions *o, const Conformal *c)
 {
 	if (!(c->certificate > o->tolerance && o->tolerance > 0 && o->tolerance < 1))
 		return;
-	if (c->vertices >= FULL*o->most)
+	if (c->full)
 		note("%s: certificate %.3g of the map is above --tolerance=%g: "
 		    "a larger --max-vertices than %d lowers it", mesh, c->certificate, o->tolerance, o->most);
 	else

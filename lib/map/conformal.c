@@ -119,6 +119,7 @@ sample_adapted(const Disk *d, const int corner[4], const AdaptMap *a, Chart g,
 
 	c->certificate = a->certificate;
 	c->vertices = a->mesh.d.m.nv;
+	c->full = a->mesh.d.m.nv >= options->map.most;
 	c->overlaid = count_flat(d, a->u, a->v, a->T);
 	return sample(d, corner, &m, g, options, c);
 }
@@ -131,6 +132,7 @@ sample_intrinsic(const Disk *d, const int corner[4], IntrinsicMap *a, Chart g,
 
 	c->certificate = a->certificate;
 	c->vertices = a->s.t.nv;
+	c->full = a->full;
 	c->solved_turned = a->turned;
 	c->overlaid = count_flat(d, a->u, a->v, a->T);
 	if ((c->overlaid || options->surface == SAMPLER_FACETS) && overlay(&a->s.t, &a->s.mesh, &a->u, &a->v))

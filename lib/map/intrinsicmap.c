@@ -115,6 +115,8 @@ intrinsic_map(const Disk *d, const int vertex[4], const AdaptOptions *o, Intrins
 	e = embed_init(&m->s, d, vertex) || embed(&m->s, o->most) ? SPD_ENOMEM : intrinsic_solve(m, report);
 	if (!e)
 		e = refine(m, o, report);
+	if (!e)
+		m->full = is_full(&m->s.t, o->most);
 	if (!e && o->split > 0 && m->s.t.nv <= o->most/4)
 		e = intrinsic_solve_quadratic(m, report);
 	if (e)

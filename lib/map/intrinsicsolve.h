@@ -9,6 +9,8 @@ typedef struct IntrinsicMap {
 	Embeddable s;
 	double    *u, *v;       /* [s.t.nv], after quadratic elements [s.t.nv + s.t.ne] */
 	double     T, certificate;
+	int        full;        /* 1 if splitting ended because there were as many vertices, or
+	                         * crossings, as allowed */
 	int        quadratic;   /* 1 if u, v are from quadratic elements */
 	int        turned;      /* triangles of s.t with (u,v) area < -1e-14 T */
 } IntrinsicMap;
