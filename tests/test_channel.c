@@ -7,6 +7,7 @@
 #include "../lib/grid/gridpoint.h"
 #include "../lib/mesh/channel.h"
 #include "../lib/mesh/disk.h"
+#include "../lib/mesh/disksoup.h"
 #include "../lib/mesh/refine.h"
 #include "../lib/sample/sampler.h"
 #include "synthdisk.h"

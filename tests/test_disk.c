@@ -12,6 +12,7 @@
 
 #include "../lib/mesh/channel.h"
 #include "../lib/mesh/disk.h"
+#include "../lib/mesh/disksoup.h"
 #include "../lib/meshfile/meshfile.h"
 
 /* isdisk checks the definition of a disk without the code under test: every half-edge occurs once;

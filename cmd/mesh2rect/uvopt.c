@@ -6,6 +6,7 @@
 
 #include "../../lib/grid/detail.h"
 #include "../../lib/mesh/channel.h"
+#include "../../lib/mesh/disksoup.h"
 #include "../../lib/meshfile/meshfile.h"
 #include "../shared/cmd.h"
 #include "../shared/samefile.h"
