@@ -107,10 +107,8 @@ opt_corners(const char *arg, const Disk *d, int corner[4])
 	Given g;
 
 	if (!arg || strcmp(arg, "auto") == 0) {
-		switch (corners_auto(d, corner)) {
-		case CORNERS_ENOMEM: die("no memory for the boundary");
-		case CORNERS_EFEW: die("a boundary of three vertices has no four corners");
-		}
+		if (corners_auto(d, corner) < 0)
+			die("no memory for the boundary");
 		return;
 	}
 	if (!parse(arg, &g)) {

@@ -123,10 +123,8 @@ opt_like(const char *path, int reversed, Disk *d, int corner[4])
 		try_reversed(cmd_name_of(path), &a, d, &b, &f);
 	for (k = 0; k < 4; k++)
 		at[k] = fmod(outline_back(&b, fmod(at[k] + (double)f.shift/POINTS, 1)), 1);
-	switch (corners_at(d, at, corner)) {
-	case CORNERS_ENOMEM: die("no memory for the boundary");
-	case CORNERS_EFEW: die("a boundary of three vertices has no four corners");
-	}
+	if (corners_at(d, at, corner))
+		die("no memory for the boundary");
 	report_fit(cmd_name_of(path), &f);
 	outline_free(&a);
 	outline_free(&b);
