@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "adapt.h"
+#include "corners.h"
 #include "harmonic.h"
 #include "rectmap.h"
 #include "vertexkey.h"
@@ -17,25 +18,18 @@ enum { GROWTH = 4, FEW = 20000 };       /* ADAPT_HARD if the certificate is abov
                                          * more than FEW vertices, and more than GROWTH times as
                                          * many as were given: the triangles are badly shaped */
 
-/* The term of triangle t in the sum for T*certificate (adapt.h).  With a, b its sides at
- * corner 0, g_aa, g_ab, g_bb their inner products, u_a, u_b the differences of u along them, and A
- * the area, grad u . grad u = (u_b^2 g_aa - 2 u_a u_b g_ab + u_a^2 g_bb)/(4 A^2). */
+/* The term of triangle t (worst.h). */
 static double
 term(const AdaptMap *m, int t)
 {
 	const int *c = &m->mesh.d.m.tri[3*t];
 	const double *x = m->mesh.d.m.xyz;
-	double a[3], b[3], n[3], area, gaa, gab, gbb, energy;
-	double ua = m->u[c[1]] - m->u[c[0]], ub = m->u[c[2]] - m->u[c[0]];
-	double va = m->v[c[1]] - m->v[c[0]], vb = m->v[c[2]] - m->v[c[0]];
+	double a[3], b[3], n[3];
 
 	sub3(&x[3*c[1]], &x[3*c[0]], a);
 	sub3(&x[3*c[2]], &x[3*c[0]], b);
 	cross3(a, b, n);
-	area = norm3(n)/2;
-	gaa = dot3(a, a), gab = dot3(a, b), gbb = dot3(b, b);
-	energy = (ub*ub + vb*vb)*gaa - 2*(ua*ub + va*vb)*gab + (ua*ua + va*va)*gbb;
-	return energy/(8*area) - (ua*vb - ub*va)/2;
+	return worst_term(c, m->u, m->v, dot3(a, a), dot3(a, b), dot3(b, b), norm3(n)/2);
 }
 
 /* Marks the triangles with the largest terms (worst.h).  Returns their number, or SPD_ENOMEM.  It
@@ -57,23 +51,12 @@ mark(const AdaptMap *m, int most, unsigned char *marked)
 	return n;
 }
 
-static void
-find_corners(AdaptMap *m, const int vertex[4])
-{
-	int i, k;
-
-	for (i = 0; i < m->mesh.d.nb; i++)
-		for (k = 0; k < 4; k++)
-			if (m->mesh.d.loop[i] == vertex[k])
-				m->corner[k] = i;
-}
-
 /* Solves for the map of m's mesh; with coarse not NULL, by quadratic elements on it (rectmap.h). */
 static int
 solve(AdaptMap *m, const Disk *coarse, const int vertex[4], SpdReport *report)
 {
 	const Disk *d = &m->mesh.d;
-	int e;
+	int e, at;
 
 	free(m->u);
 	free(m->v);
@@ -81,7 +64,7 @@ solve(AdaptMap *m, const Disk *coarse, const int vertex[4], SpdReport *report)
 	m->v = malloc(d->m.nv*sizeof *m->v);
 	if (!m->u || !m->v)
 		return SPD_ENOMEM;
-	find_corners(m, vertex);
+	corners_given(d, vertex, m->corner, &at);
 	e = rectmap(d, coarse, m->corner, m->u, m->v, &m->T, &m->certificate, report);
 	return e == SPD_EINDEFINITE ? ADAPT_HARD : e;
 }
@@ -187,10 +170,10 @@ split_chords(AdaptMap *m, const int vertex[4])
 	const Disk *d = &m->mesh.d;
 	unsigned char *side = malloc(d->m.nv);
 	SurfacePoint *point = malloc(3*(size_t)d->m.nf*sizeof *point);
-	int h, n = 0;
+	int h, at, n = 0;
 
 	if (side && point) {
-		find_corners(m, vertex);
+		corners_given(d, vertex, m->corner, &at);
 		harmonic_sides(d, m->corner, side);
 		for (h = 0; h < 3*d->m.nf; h++)
 			if (d->twin[h] > h && side[d->m.tri[h]] & side[d->m.tri[topology_next(h)]])

@@ -4,6 +4,7 @@
 
 #include "../intrinsic/edgepoints.h"
 #include "../intrinsic/flips.h"
+#include "corners.h"
 #include "embed.h"
 #include "harmonic.h"
 #include "vertexkey.h"
@@ -89,23 +90,12 @@ mark_collapsing(const Intrinsic *t, const unsigned char *side, unsigned char *ma
 	return error;
 }
 
-static void
-find_corners(Embeddable *s)
-{
-	int i, k;
-
-	for (i = 0; i < s->mesh.d.nb; i++)
-		for (k = 0; k < 4; k++)
-			if (s->mesh.d.loop[i] == s->vertex[k])
-				s->corner[k] = i;
-}
-
 /* Makes the Delaunay triangulation of s->mesh, and lists the points to be added next. */
 static int
 triangulate(Embeddable *s, int feet, EdgePoints *points)
 {
 	unsigned char *side = malloc(s->mesh.d.m.nv), *marked = NULL;
-	int e;
+	int e, at;
 
 	intrinsic_free(&s->t);
 	e = !side || intrinsic_init(&s->t, &s->mesh.d) ? EMBED_ENOMEM : 0;
@@ -116,7 +106,7 @@ triangulate(Embeddable *s, int feet, EdgePoints *points)
 	if (!e && !marked)
 		e = EMBED_ENOMEM;
 	if (!e) {
-		find_corners(s);
+		corners_given(&s->mesh.d, s->vertex, s->corner, &at);
 		harmonic_sides(&s->mesh.d, s->corner, side);
 		e = mark_collapsing(&s->t, side, marked);
 	}

@@ -19,8 +19,8 @@ harmonic_sides(const Disk *d, const int corner[4], unsigned char *side)
 		}
 }
 
-void
-harmonic_diagonal(Harmonic *h)
+static void
+set_diagonal(Harmonic *h)
 {
 	int i, k;
 
@@ -43,8 +43,9 @@ right_hand_side(const Harmonic *h, const unsigned char *held, double *x)
 				x[g->adj[k]] -= h->off[k]*x[i];
 }
 
-int
-harmonic_solve(Harmonic *h, int zero, int one, double *x, SpdReport *report)
+/* Solves for x, which is 0 on the sides `zero` and 1 on the sides `one` (bits). */
+static int
+solve(Harmonic *h, int zero, int one, double *x, SpdReport *report)
 {
 	int i, e, n = h->g->n;
 	unsigned char *held = malloc(n);
@@ -65,4 +66,28 @@ harmonic_solve(Harmonic *h, int zero, int one, double *x, SpdReport *report)
 		}
 	free(held);
 	return e == CHOL_ENOMEM ? SPD_ENOMEM : e ? SPD_EINDEFINITE : 0;
+}
+
+int
+harmonic_pair(Harmonic *h, double *u, double *v1, SpdReport *report)
+{
+	int e;
+
+	set_diagonal(h);
+	e = solve(h, SIDE_LEFT, SIDE_RIGHT, u, report);
+	return e ? e : solve(h, SIDE_BOTTOM, SIDE_TOP, v1, report);
+}
+
+int
+harmonic_modulus(double Eu, double Ev, int n, double *v, double *T, double *certificate)
+{
+	int i;
+
+	if (!(Eu > 0 && Eu < HUGE_VAL && Ev > 0 && Ev < HUGE_VAL))
+		return SPD_EINDEFINITE;
+	*T = sqrt(Eu/Ev);                               /* (6) */
+	*certificate = sqrt(Eu*Ev) - 1;
+	for (i = 0; i < n; i++)
+		v[i] *= *T;                             /* (4) */
+	return 0;
 }

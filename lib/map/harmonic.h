@@ -24,16 +24,21 @@ typedef struct Harmonic {
 	const unsigned char *side;      /* [g->n] of harmonic_sides */
 } Harmonic;
 
-/* Solves for x: it is 0 on the sides `zero`, 1 on the sides `one` (bits), and A x = 0 at all other
+/* Computes the diagonal from off, so that rows sum to 0, and solves for u and v1: u is 0 on the left
+ * and 1 on the right side, v1 is 0 on the bottom and 1 on the top, and A u = 0, A v1 = 0 at all other
  * vertices.
  *
- * x       out  [n]
+ * u, v1   out  [n]
  * report  out  on SPD_EINDEFINITE, column is the vertex at which the factorization failed
  *
  * Returns 0, SPD_ENOMEM or SPD_EINDEFINITE. */
-int harmonic_solve(Harmonic *h, int zero, int one, double *x, SpdReport *report);
+int harmonic_pair(Harmonic *h, double *u, double *v1, SpdReport *report);
 
-/* Computes the diagonal from off, so that rows sum to 0. */
-void harmonic_diagonal(Harmonic *h);
+/* T and the certificate from the energies of u and v1 (doc/mathematics.md 3.2).
+ *
+ * v  in/out  [n] v1; v = T v1
+ *
+ * Returns 0, or SPD_EINDEFINITE if the energies are not positive. */
+int harmonic_modulus(double Eu, double Ev, int n, double *v, double *T, double *certificate);
 
 #endif

@@ -13,20 +13,16 @@ static const double FULL = 0.9;         /* refinement ends at this share of the 
 static const double EQUAL = 1e-6;       /* relative difference of two numbers that differ by
                                          * rounding only */
 
-/* The term of triangle f in the sum for T*certificate (adapt.h). */
+/* The term of triangle f (worst.h). */
 static double
 term(const IntrinsicMap *m, int f)
 {
 	const Intrinsic *t = &m->s.t;
-	const int *c = &t->from[3*f];
 	double l0 = intrinsic_length(t, 3*f), l1 = intrinsic_length(t, 3*f + 1);
-	double l2 = intrinsic_length(t, 3*f + 2), area = intrinsic_area(l0, l1, l2);
-	double ua = m->u[c[1]] - m->u[c[0]], ub = m->u[c[2]] - m->u[c[0]];
-	double va = m->v[c[1]] - m->v[c[0]], vb = m->v[c[2]] - m->v[c[0]];
-	double gaa = l0*l0, gbb = l2*l2, gab = (gaa + (l2 - l1)*(l2 + l1))/2;
+	double l2 = intrinsic_length(t, 3*f + 2), gaa = l0*l0, gbb = l2*l2;
 
-	return ((ub*ub + vb*vb)*gaa - 2*(ua*ub + va*vb)*gab + (ua*ua + va*va)*gbb)/(8*area)
-	    - (ua*vb - ub*va)/2;
+	return worst_term(&t->from[3*f], m->u, m->v, gaa, (gaa + (l2 - l1)*(l2 + l1))/2, gbb,
+	    intrinsic_area(l0, l1, l2));
 }
 
 /* Marks the longest edge of each triangle that has one of the largest terms (worst.h); all longest

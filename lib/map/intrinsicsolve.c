@@ -24,7 +24,7 @@ keep_inside(int n, const unsigned char *side, int held, double *x)
 }
 
 static int
-harmonic_pair(const IntrinsicMatrix *a, const unsigned char *side, double *u, double *v,
+solve(const IntrinsicMatrix *a, const unsigned char *side, double *u, double *v,
 	SpdReport *report)
 {
 	Harmonic h = { .g = &a->g, .off = a->off, .side = side };
@@ -34,12 +34,8 @@ harmonic_pair(const IntrinsicMatrix *a, const unsigned char *side, double *u, do
 	e = !order || !h.diagonal || order_graph(&a->g, order) || chol_init(&h.chol, &a->g, order)
 	    ? SPD_ENOMEM : 0;
 	report->bytes = chol_bytes(&h.chol);
-	if (!e) {
-		harmonic_diagonal(&h);
-		e = harmonic_solve(&h, SIDE_LEFT, SIDE_RIGHT, u, report);
-	}
 	if (!e)
-		e = harmonic_solve(&h, SIDE_BOTTOM, SIDE_TOP, v, report);
+		e = harmonic_pair(&h, u, v, report);
 	if (!e) {
 		keep_inside(a->g.n, side, SIDE_LEFT | SIDE_RIGHT, u);
 		keep_inside(a->g.n, side, SIDE_BOTTOM | SIDE_TOP, v);
@@ -50,29 +46,11 @@ harmonic_pair(const IntrinsicMatrix *a, const unsigned char *side, double *u, do
 	return e;
 }
 
-/* Twice the signed area of triangle f in (u,v). */
-static double
-image(const IntrinsicMap *m, int f)
-{
-	const int *c = &m->s.t.from[3*f];
-	const double *u = m->u, *v = m->v;
-
-	return (u[c[1]] - u[c[0]])*(v[c[2]] - v[c[0]]) - (u[c[2]] - u[c[0]])*(v[c[1]] - v[c[0]]);
-}
-
-/* Computes T and the certificate from the energies, and turns v1, which m->v holds, into v. */
+/* T, the certificate and v from the energies and v1, which m->v holds. */
 static int
 finish(IntrinsicMap *m, double Eu, double Ev)
 {
-	int i;
-
-	if (!(Eu > 0 && Eu < HUGE_VAL && Ev > 0 && Ev < HUGE_VAL))
-		return SPD_EINDEFINITE;
-	m->T = sqrt(Eu/Ev);                             /* (6) */
-	m->certificate = sqrt(Eu*Ev) - 1;
-	for (i = 0; i < m->s.t.nv; i++)
-		m->v[i] *= m->T;                        /* (4) */
-	return 0;
+	return harmonic_modulus(Eu, Ev, m->s.t.nv, m->v, &m->T, &m->certificate);
 }
 
 static int
@@ -81,7 +59,7 @@ count_turned(const IntrinsicMap *m)
 	int f, turned = 0;
 
 	for (f = 0; f < m->s.t.nf; f++)
-		turned += image(m, f) < -FLAT*m->T;
+		turned += mesh_image(&m->s.t.from[3*f], m->u, m->v) < -FLAT*m->T;
 	return turned;
 }
 
@@ -99,7 +77,7 @@ solve_pair(const IntrinsicMap *map, const Middles *m, double *u, double *v, SpdR
 		harmonic_sides(&map->s.mesh.d, map->s.corner, side);
 		if (m)
 			intrinsic_middle_sides(t, m, side);
-		e = harmonic_pair(&a, side, u, v, report);
+		e = solve(&a, side, u, v, report);
 		intrinsic_matrix_free(&a);
 	}
 	if (!e && m) {
@@ -138,8 +116,10 @@ straighten(const IntrinsicMap *m, unsigned char *straight, unsigned char *before
 	memcpy(before, straight, m->s.t.ne);
 	for (f = 0; f < m->s.t.nf; f++) {
 		const int *e = &edge[3*f];
+		int more = before[e[0]] || before[e[1]] || before[e[2]]
+		    || !(mesh_image(&m->s.t.from[3*f], m->u, m->v) > 0);
 
-		for (k = 0; k < 3 && (!(image(m, f) > 0) || before[e[0]] || before[e[1]] || before[e[2]]); k++)
+		for (k = 0; k < 3 && more; k++)
 			straight[e[k]] = 1;
 	}
 }

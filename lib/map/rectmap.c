@@ -82,13 +82,12 @@ prepare(const Disk *d, const Disk *coarse, const int corner[4], System *s)
 	s->h.off = s->C.c;
 	s->h.side = s->side;
 	harmonic_sides(d, corner, s->side);
-	harmonic_diagonal(&s->h);
 	return 0;
 }
 
 /* u and v1, the map (4) before v1 is multiplied by T. */
 static int
-harmonic_pair(const Disk *d, const Disk *coarse, const int corner[4], double *u, double *v,
+solve(const Disk *d, const Disk *coarse, const int corner[4], double *u, double *v,
 	SpdReport *report)
 {
 	System s;
@@ -96,9 +95,7 @@ harmonic_pair(const Disk *d, const Disk *coarse, const int corner[4], double *u,
 
 	report->bytes = chol_bytes(&s.h.chol);
 	if (!e)
-		e = harmonic_solve(&s.h, SIDE_LEFT, SIDE_RIGHT, u, report);
-	if (!e)
-		e = harmonic_solve(&s.h, SIDE_BOTTOM, SIDE_TOP, v, report);
+		e = harmonic_pair(&s.h, u, v, report);
 	release(&s);
 	return e;
 }
@@ -125,34 +122,17 @@ rectmap(const Disk *d, const Disk *coarse, const int corner[4], double *u, doubl
 	double *certificate, SpdReport *report)
 {
 	double Eu, Ev;
-	int i, e;
+	int e;
 
 	memset(report, 0, sizeof *report);
 	if (4*(size_t)d->m.nf + d->nb > INT_MAX)
 		return SPD_ELARGE;
-	e = harmonic_pair(d, coarse, corner, u, v, report);
+	e = solve(d, coarse, corner, u, v, report);
 	if (!e)
 		e = energy(d, coarse, u, v, &Eu, &Ev);
 	if (e == SPD_ENOMEM && !(report->bytes > 0))
 		report->bytes = NUMBERS*sizeof(double)*d->m.nv;
-	if (e)
-		return e;
-	if (!(Eu > 0 && Eu < HUGE_VAL && Ev > 0 && Ev < HUGE_VAL))
-		return SPD_EINDEFINITE;
-	*T = sqrt(Eu/Ev);                               /* (6) */
-	*certificate = sqrt(Eu*Ev) - 1;
-	for (i = 0; i < d->m.nv; i++)
-		v[i] *= *T;                             /* (4) */
-	return 0;
-}
-
-/* Twice the signed (u,v) area of triangle t. */
-static double
-image(const Mesh *m, int t, const double *u, const double *v)
-{
-	const int *c = &m->tri[3*(size_t)t];
-
-	return (u[c[1]] - u[c[0]])*(v[c[2]] - v[c[0]]) - (u[c[2]] - u[c[0]])*(v[c[1]] - v[c[0]]);
+	return e ? e : harmonic_modulus(Eu, Ev, d->m.nv, v, T, certificate);
 }
 
 int
@@ -161,7 +141,7 @@ rectmap_flipped(const Mesh *m, const double *u, const double *v)
 	int t, n = 0;
 
 	for (t = 0; t < m->nf; t++)
-		n += image(m, t, u, v) < 0;
+		n += mesh_image(&m->tri[3*(size_t)t], u, v) < 0;
 	return n;
 }
 
@@ -171,6 +151,6 @@ rectmap_flat(const Mesh *m, const double *u, const double *v)
 	int t, n = 0;
 
 	for (t = 0; t < m->nf; t++)
-		n += image(m, t, u, v) == 0;
+		n += mesh_image(&m->tri[3*(size_t)t], u, v) == 0;
 	return n;
 }

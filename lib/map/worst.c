@@ -19,6 +19,17 @@ falling(const void *a, const void *b)
 }
 
 double
+worst_term(const int c[3], const double *u, const double *v, double gaa, double gab, double gbb,
+	double area)
+{
+	double ua = u[c[1]] - u[c[0]], ub = u[c[2]] - u[c[0]];
+	double va = v[c[1]] - v[c[0]], vb = v[c[2]] - v[c[0]];
+	double energy = (ub*ub + vb*vb)*gaa - 2*(ua*ub + va*vb)*gab + (ua*ua + va*va)*gbb;
+
+	return energy/(8*area) - (ua*vb - ub*va)/2;
+}
+
+double
 worst_terms(const double *term, int nf, int most, double *sorted)
 {
 	double all = 0, sum = 0;

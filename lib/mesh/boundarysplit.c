@@ -79,15 +79,15 @@ boundary_split(Disk *d)
 int
 boundary_split_turned(const Disk *d, const double *u, const double *v)
 {
-	int added = d->m.nv - 1, s, a = 0, b = 0, c = 0;
+	int added = d->m.nv - 1, s, c[3] = { 0, 0, 0 };
 
 	if (!d->file || d->file[added] >= 0)
 		return 0;
 	for (s = 0; s < 3*d->m.nf; s++)
 		if (d->twin[s] < 0 && d->m.tri[s] == added) {
-			b = d->m.tri[topology_next(s)];
-			c = d->m.tri[topology_next(topology_next(s))];
+			c[1] = d->m.tri[topology_next(s)];
+			c[2] = d->m.tri[topology_next(topology_next(s))];
 		} else if (d->twin[s] < 0 && d->m.tri[topology_next(s)] == added)
-			a = d->m.tri[s];
-	return (u[b] - u[a])*(v[c] - v[a]) < (u[c] - u[a])*(v[b] - v[a]);
+			c[0] = d->m.tri[s];
+	return mesh_image(c, u, v) < 0;
 }

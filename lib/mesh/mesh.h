@@ -82,4 +82,11 @@ void disk_free(Disk *d);
 /* The sum of the areas of all triangles. */
 double mesh_area(const Mesh *m);
 
+/* Twice the signed area in (u,v) of the triangle with corners c: negative if it is turned over. */
+static inline double
+mesh_image(const int c[3], const double *u, const double *v)
+{
+	return (u[c[1]] - u[c[0]])*(v[c[2]] - v[c[0]]) - (u[c[2]] - u[c[0]])*(v[c[1]] - v[c[0]]);
+}
+
 #endif
