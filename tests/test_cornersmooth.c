@@ -111,12 +111,29 @@ only_folded_corners_are_touched(void **state)
 	misfit_free(&m);
 }
 
+/* A fold beyond the reach of smoothing, yet among the cells that are looked at. */
+static void
+corner_that_keeps_its_folds_stays(void **state)
+{
+	static double before[3*N];
+	Misfit m = misfit_of(stereo);
+
+	(void)state;
+	phi[8*NU + 8] += 0.1;
+	assert_true(least_area() < 0);
+	memcpy(before, phi, sizeof phi);
+	assert_int_equal(corners_smooth(&m, phi), 0);
+	assert_memory_equal(phi, before, sizeof phi);
+	misfit_free(&m);
+}
+
 int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(crumpled_corner_of_a_smooth_boundary_is_smoothed),
 		cmocka_unit_test(only_folded_corners_are_touched),
+		cmocka_unit_test(corner_that_keeps_its_folds_stays),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -102,7 +102,7 @@ folds(const Own *o, int k)
 	for (c = 0; c < 3; c++)
 		for (p = 0; p < o->n; p++)
 			x[c*o->n+p] = o->less[c+1][p] + o->part[c+1][p];
-	is = corner_folded(o->chart, k, phi, corner_radius(o->chart));
+	is = corner_folds(o->chart, k, phi, corner_radius(o->chart));
 	free(x);
 	return is;
 }

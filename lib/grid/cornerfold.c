@@ -53,13 +53,12 @@ corner_cell_folded(Chart g, int k, const double *const phi[3], int a, int b)
 }
 
 int
-corner_folded(Chart g, int k, const double *const phi[3], int radius)
+corner_folds(Chart g, int k, const double *const phi[3], int radius)
 {
-	int a, b;
+	int a, b, folds = 0;
 
 	for (b = 0; b < radius; b++)
 		for (a = 0; a < radius; a++)
-			if (corner_cell_folded(g, k, phi, a, b))
-				return 1;
-	return 0;
+			folds += corner_cell_folded(g, k, phi, a, b);
+	return folds;
 }

@@ -14,7 +14,7 @@ int corner_node(Chart g, int k, int a, int b);
  * the cells beside it, or is undefined.  (a,b) and the cells beside it must be in the grid. */
 int corner_cell_folded(Chart g, int k, const double *const phi[3], int a, int b);
 
-/* Whether any cell within `radius` cells of corner k is folded. */
-int corner_folded(Chart g, int k, const double *const phi[3], int radius);
+/* The number of folded cells within `radius` cells of corner k. */
+int corner_folds(Chart g, int k, const double *const phi[3], int radius);
 
 #endif

@@ -1,7 +1,9 @@
 /* cornersmooth.c - smooths the corners of a fitted surface. */
 #include <stdlib.h>
+#include <string.h>
 
 #include "../base/corner.h"
+#include "../base/field.h"
 #include "../grid/cornerfold.h"
 #include "../grid/stencil.h"
 #include "../poisson/plate.h"
@@ -17,7 +19,7 @@ wants(const Misfit *m, int k, const double *const phi[3])
 
 	if (!corner_exists(m->g, k) || radius < LEAST)
 		return 0;
-	return (!m->place && m->o[corner_node(m->g, k, 1, 1)] < DEGENERATE) || corner_folded(m->g, k, phi, radius);
+	return (!m->place && m->o[corner_node(m->g, k, 1, 1)] < DEGENERATE) || corner_folds(m->g, k, phi, radius);
 }
 
 /* Sets z to the share of Delta phi that is taken away around corner k. */
@@ -64,36 +66,72 @@ unfold(Chart g, int k, const double *const phi[3], double *moved)
 		moved[at] = (moved[from] + moved[to])/2;
 }
 
+/* Writes phi with the corners of `which` smoothed to `to`. */
+static int
+smooth(const Misfit *m, const int which[4], const double *phi, double *to)
+{
+	size_t all = (size_t)m->g.nu*m->g.nv;
+	const double *const x[3] = { phi, phi + all, phi + 2*all };
+	Plate plate;
+	int k;
+
+	if (plate_init(&plate, m->g, 0))
+		return CORNERSMOOTH_ENOMEM;
+	memset(to, 0, 3*all*sizeof *to);
+	for (k = 0; k < 4; k++)
+		if (which[k])
+			add_source(m->g, k, x, to);
+	plate_solve(&plate, 0, 1, 0, to);
+	field_add(3*all, 1, phi, to);
+	for (k = 0; k < 4; k++)
+		if (which[k])
+			unfold(m->g, k, x, to);
+	plate_free(&plate);
+	return 0;
+}
+
+/* Takes the corners that smoothing does not help out of `which`: those that keep as many folded cells, or
+ * gain some.  Returns their number. */
+static int
+leave_out(Chart g, int which[4], const double *phi, const double *smoothed)
+{
+	size_t all = (size_t)g.nu*g.nv;
+	const double *const x[3] = { phi, phi + all, phi + 2*all };
+	const double *const y[3] = { smoothed, smoothed + all, smoothed + 2*all };
+	int k, before, after, left = 0, radius = corner_radius(g);
+
+	for (k = 0; k < 4; k++) {
+		before = which[k] ? corner_folds(g, k, x, radius) : 0;
+		after = which[k] ? corner_folds(g, k, y, radius) : 0;
+		if (after > before || (before && after == before)) {
+			which[k] = 0;
+			left++;
+		}
+	}
+	return left;
+}
+
 int
 corners_smooth(const Misfit *m, double *phi)
 {
-	size_t all = (size_t)m->g.nu*m->g.nv, p;
+	size_t all = (size_t)m->g.nu*m->g.nv;
 	const double *const x[3] = { phi, phi + all, phi + 2*all };
-	int k, count = 0, which[4];
-	double *z = NULL;
-	Plate plate;
+	int k, count = 0, left = 1, e = 0, which[4];
+	double *to = NULL;
 
 	if (m->place)
 		blend_with_place(m, phi);
 	for (k = 0; k < 4; k++)
 		count += which[k] = wants(m, k, x);
-	if (!count)
-		return 0;
-	z = calloc(3*all, sizeof *z);
-	if (!z || plate_init(&plate, m->g, 0)) {
-		free(z);
+	if (count && !(to = malloc(3*all*sizeof *to)))
 		return CORNERSMOOTH_ENOMEM;
+	while (!e && count && left) {
+		e = smooth(m, which, phi, to);
+		left = e ? 0 : leave_out(m->g, which, phi, to);
+		count -= left;
 	}
-	for (k = 0; k < 4; k++)
-		if (which[k])
-			add_source(m->g, k, x, z);
-	plate_solve(&plate, 0, 1, 0, z);
-	for (p = 0; p < 3*all; p++)
-		phi[p] += z[p];
-	for (k = 0; k < 4; k++)
-		if (which[k])
-			unfold(m->g, k, x, phi);
-	plate_free(&plate);
-	free(z);
-	return 0;
+	if (!e && count)
+		memcpy(phi, to, 3*all*sizeof *to);
+	free(to);
+	return e;
 }

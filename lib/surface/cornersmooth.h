@@ -17,7 +17,8 @@
 enum { CORNERSMOOTH_ENOMEM = -1 };
 
 /* Smooths the corners where a cell is folded, or, without a place, where the weight o at the innermost
- * node is less than 1/2.  Returns 0 or CORNERSMOOTH_ENOMEM. */
+ * node is less than 1/2.  A corner that would keep all its folded cells stays as it is: there the grid
+ * is too coarse for the surface.  Returns 0 or CORNERSMOOTH_ENOMEM. */
 int corners_smooth(const Misfit *m, double *phi);
 
 #endif
