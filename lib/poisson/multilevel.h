@@ -9,7 +9,7 @@
 
 #include "../base/chart.h"
 
-enum { MULTILEVEL_ENOMEM = -1 };
+enum { MULTILEVEL_ENOMEM = -1, MULTILEVEL_MANY = 100000 };
 
 /* The weights in a coarse node of the unknowns from .. from+n-1 along one axis; 0 beyond these.  A grid
  * has at most twice the steps of the next coarser one, so there are at most four. */
@@ -46,6 +46,9 @@ int  multilevel_coarser(const Multilevel *l, Chart *g);
 /* Prepares the interpolation from grid c to grid l.  Returns 0 or MULTILEVEL_ENOMEM. */
 int  multilevel_join(Multilevel *l, const Multilevel *c);
 
+/* Sets the rim of a field x. */
+void multilevel_fill_rim(const Multilevel *l, double *x);
+
 /* l->inverse, for this t. */
 void multilevel_diagonal(Multilevel *l, double t);
 
@@ -75,6 +78,13 @@ static inline size_t
 multilevel_place(const Multilevel *l, int i, int j)
 {
 	return (j + 1)*multilevel_row(l) + i + 1;
+}
+
+/* Whether there are so many unknowns that rows are divided among threads. */
+static inline int
+multilevel_many(const Multilevel *l)
+{
+	return l->n[0] > MULTILEVEL_MANY/l->n[1];
 }
 
 #endif
