@@ -78,11 +78,24 @@ $(promise)"
 	below "$(meta "$tmp/smooth" change)" 5e-5
 }
 
+@test "a surface that is not the one of lambda and H is noted, with its distance" {
+	mkmesh -n 3000 face | mesh2rect -q -n 64 -o "$tmp/near"
+	grid2lh "$tmp/near" | lh2grid -o "$tmp/solved" 2>"$tmp/err"
+	[ ! -s "$tmp/err" ]
+	[ "$(meta "$tmp/solved" deviation)" = "$(printf %.3g "$(error_of "$tmp/near" "$tmp/solved" max_rel)")" ]
+	mkmesh -n 3000 face | mesh2rect -q -n 8 | grid2lh -q -o "$tmp/coarse"
+	try 0 'near (.*) the surface is 0.0[0-9]* of sqrt.area. from that of channels place' /dev/null \
+	    lh2grid "$tmp/coarse" -o "$tmp/solved"
+	lh2grid --no-place "$tmp/coarse" -o "$tmp/solved" 2>"$tmp/err"
+	[ ! -s "$tmp/err" ]
+	[ -z "$(meta "$tmp/solved" deviation)" ]
+}
+
 @test "a fit that creeps is noted, and is not called converged" {
 	/usr/bin/python3 tests/hostile.py "$tmp/lh" "$tmp/noisy" "H = g['H']
 H[:] += 100*abs(H).mean()*np.random.default_rng(1).normal(size=H.shape)"
 	try 0 'the last steps crept: energy .*, moved by .* of sqrt.area. .metadatum stopped.$' /dev/null \
-	    lh2grid "$tmp/noisy" -o "$tmp/crept"
+	    lh2grid --no-place "$tmp/noisy" -o "$tmp/crept"
 	[ "$(meta "$tmp/crept" stopped)" = crept ]
 }
 

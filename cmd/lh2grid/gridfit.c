@@ -4,6 +4,7 @@
 #include "../shared/claim.h"
 #include "../shared/range.h"
 #include "channels.h"
+#include "deviation.h"
 #include "framefit.h"
 #include "gridfit.h"
 
@@ -32,6 +33,8 @@ gridfit(const CmdInput *in, Lhg *g, int method, int follows, const SurfaceFit *o
 		band_read(in, g, surfacefit_rings(g, o), phi);
 		surfacefit(in, g, o, phi, &at);
 	}
+	if (!o->no_place)
+		deviation(in, g, phi);
 	surface_replace(in, g, phi);
 	surfacefit_meta(g, &at);
 	return phi;
