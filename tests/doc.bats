@@ -38,3 +38,9 @@ load helper
 	run -1 /usr/bin/python3 "$tmp/identities.py"
 	grep -q 'torus: Codazzi (15) is off' <<<"$output"
 }
+
+# bash's set -e does not see the failure of a command behind "!"; "run !" does.
+@test "no line of a .bats file is a check with ! that cannot fail" {
+	run grep -nE '^[[:space:]]+! [^|]*($|\|[^|])' tests/*.bats
+	[ -z "$output" ]
+}

@@ -103,7 +103,7 @@ apart() {
 		grid2mesh --on="$tmp/s.ply" --detail=$d "$tmp/s" -o "$tmp/s-$d.obj"
 	done
 	cmp "$tmp/s-keep.obj" <(grid2mesh --on="$tmp/s.ply" "$tmp/s" -o "$tmp/x.obj"; cat "$tmp/x.obj")
-	! grep -q offset "$tmp/s-drop.obj"
+	[ "$(grep -c offset "$tmp/s-drop.obj")" = 0 ]
 	below 0 "$(apart "$tmp/s-drop.obj" "$tmp/s-smooth.obj")"
 	below "$(apart "$tmp/s-drop.obj" "$tmp/s-smooth.obj")" "$(apart "$tmp/s-drop.obj" "$tmp/s-keep.obj")"
 	# each of several scales has its own number of waves; after two filters the smaller number holds
