@@ -13,9 +13,10 @@ need() {
 	done
 }
 
-# run COMMAND...: runs COMMAND, its stderr to $w/said; if it fails, dies with the last line there.
+# run COMMAND...: runs COMMAND, its stderr to $said; if it fails, dies with the last line there.
+said=$w/said
 run() {
-	"$@" 2>"$w/said" || die "$(tail -n 1 "$w/said")"
+	"$@" 2>"$said" || die "$(tail -n 1 "$said")"
 }
 
 # timed NAME COMMAND...: like run, and writes the seconds that COMMAND took to $w/NAME.seconds.

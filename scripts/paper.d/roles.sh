@@ -13,6 +13,7 @@ mesh() {
 		neutral)  echo "$meshes/face_neutral_1875.obj" ;;
 		smile)    echo "$meshes/face_smile_1656.obj" ;;
 		cortex)   echo "$meshes/cortex_fs5_lh_ball.off" ;;
+		flatcuts) echo "$meshes/cortex_fs5_lh_flatcuts.off" ;;
 		molar)    echo "$meshes/tooth_orangutan_edj_14k.off" ;;
 		lemur)    echo "$meshes/tooth_lemur_B03.off" ;;
 		buddha)   echo "$meshes/buddha_laughing_15k.off" ;;
@@ -57,6 +58,7 @@ title() {
 	neutral) echo 'face scan, neutral' ;;
 	smile)   echo 'face scan, smiling' ;;
 	cortex)  echo 'cortical surface' ;;
+	flatcuts) echo 'cortex, cut' ;;
 	molar)   echo 'tooth (orangutan)' ;;
 	lemur)   echo 'tooth (lemur)' ;;
 	buddha)  echo 'Buddha' ;;
