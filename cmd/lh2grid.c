@@ -24,14 +24,14 @@ static const char text[] =
 "                     and the last independently.  Frames between two of these start, on the\n"
 "                     full grid, with the interpolated detail that it adds to both\n"
 "      --no-start     do not use start.x start.y start.z\n"
-"      --no-place     do not use place.x place.y place.z (lhfft --scale and --relief)\n"
+"      --no-place     do not use place.x place.y place.z\n"
 "      --ideal        do not use nu1 nu2 tau1 tau2 (grid2lh --residual)\n"
 CMD_USAGE
 "The surface method minimises, with the boundary curve held,\n"
 "  |Delta phi - 2 lambda^2 H n|^2 + w^2 (the metric minus lambda^2)^2\n"
 "by Gauss-Newton steps, first on a grid of 4225 nodes or a few more, then on grids twice as\n"
 "fine, up to the full grid.  The start only selects one of the surfaces that have this lambda, H\n"
-"and boundary.  A place filtered by lhfft --scale or --relief is the start on the full grid, and\n"
+"and boundary.  A place is a start on the full grid; filtered by lhfft --scale or --relief, it also\n"
 "holds the waves that the filter left; shorter ones follow lambda and H.  Without a start, the\n"
 "frame method computes one on the coarsest grid, from three rings of the band.\n"
 "With --boundary=free the border nodes are unknowns too, determined by the metric alone.  The\n"
@@ -92,7 +92,7 @@ main(int argc, char *argv[])
 		case 't': o.tolerance = opt_double(optarg, 1e-14, 1, "tolerance"); break;
 		case 's': o.steps = opt_long(optarg, 1, 10000, "steps"); break;
 		case 'b': o.free = opt_word(optarg, "held\0free\0", "boundary"); break;
-		case 'f': chained = 1; break;
+		case 'f': chained = o.follows = 1; break;
 		case 'k': every = opt_long(optarg, 2, KEYFRAMES_MOST, "keyframes"); break;
 		case 'S': o.no_start = 1; break;
 		case 'P': o.no_place = 1; break;

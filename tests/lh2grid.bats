@@ -78,6 +78,24 @@ $(promise)"
 	below "$(meta "$tmp/smooth" change)" 5e-5
 }
 
+@test "an unfiltered surface starts from its place, on the full grid" {
+	mkmesh -n 3000 face | mesh2rect -q -n 150x128 -o "$tmp/face"
+	grid2lh --residual "$tmp/face" -o "$tmp/facelh"
+	lh2grid -v --ideal "$tmp/facelh" -o "$tmp/place" 2>"$tmp/withplace"
+	lh2grid -v --ideal --no-place "$tmp/facelh" -o "$tmp/lattice" 2>"$tmp/without"
+	[ "$(grep -c '151 x 129 nodes, step' "$tmp/withplace")" = "$(grep -c 'nodes, step' "$tmp/withplace")" ]
+	[ "$(grep -c '151 x 129 nodes, step' "$tmp/without")" -lt "$(grep -c 'nodes, step' "$tmp/without")" ]
+	# The same surface: the start enters no equation.
+	below "$(error_of "$tmp/place" "$tmp/lattice" mean_rel)" 1e-4
+	below 1e-5 "$(error_of "$tmp/face" "$tmp/place" mean_rel)"
+	# With residual channels it is the surface itself.
+	lh2grid -v "$tmp/facelh" -o "$tmp/exact" 2>"$tmp/said"
+	[ "$(grep -c 'nodes, step' "$tmp/said")" = 1 ]
+	below "$(error_of "$tmp/face" "$tmp/exact" max_rel)" 1e-12
+	# With a frame before it, --follow starts from that.
+	cat "$tmp/facelh" "$tmp/facelh" | lh2grid -v --ideal --follow 2>&1 >"$tmp/two" | grep -q '76 x 65 nodes, step'
+}
+
 @test "a surface that is not the one of lambda and H is noted, with its distance" {
 	mkmesh -n 3000 face | mesh2rect -q -n 64 -o "$tmp/near"
 	grid2lh "$tmp/near" | lh2grid -o "$tmp/solved" 2>"$tmp/err"

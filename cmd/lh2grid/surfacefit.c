@@ -31,14 +31,20 @@ has_start(const Lhg *g, const SurfaceFit *o)
 	return !o->no_start && lhg_find(g, START[0]);
 }
 
-/* The place takes part only where lhfft --scale or --relief has filtered it: the place of a surface
- * itself would be the answer. */
+/* The place takes part in E only where lhfft --scale or --relief has filtered it: the place of a surface
+ * itself would be the answer.  That one is but the start. */
 static int
 has_place(const Lhg *g, const SurfaceFit *o)
 {
 	char value[LHG_KEYLEN];
 
 	return !o->no_place && lhg_find(g, PLACE[0]) && lhg_getmeta(g, "scale", value, sizeof value);
+}
+
+static int
+starts_at_place(const Lhg *g, const SurfaceFit *o)
+{
+	return !o->no_place && !o->follows && lhg_find(g, PLACE[0]) && has_start(g, o) && !has_place(g, o);
 }
 
 /* The channels place as three fields, to be freed, with s by the metadatum scale; or NULL. */
@@ -105,6 +111,23 @@ read_start(const CmdInput *in, const Lhg *g, Surface *s)
 	if (s->start_chart.nu < 2 || s->start_chart.nv < 2)
 		die("%s: the start has %d x %d nodes, need at least 2 x 2", in->name, s->start_chart.nu,
 			s->start_chart.nv);
+	s->start = start;
+	return start;
+}
+
+/* Takes the place as the start.  Returns it, to be freed. */
+static double *
+start_at_place(const CmdInput *in, const Lhg *g, Surface *s)
+{
+	size_t n = (size_t)g->nu*g->nv;
+	double *start = cmd_alloc(3*n, sizeof *start), *f[3];
+	int c;
+
+	place_of(in, g, f);
+	for (c = 0; c < 3; c++)
+		memcpy(start + c*n, f[c], n*sizeof *start);
+	s->start_chart = s->g;
+	s->start_end[0] = s->start_end[1] = 1;
 	s->start = start;
 	return start;
 }
@@ -176,7 +199,8 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 	Surface s = { .g = chart_of(g), .lambda = lhg_find(g, "lambda")->f, .H = lhg_find(g, "H")->f };
 	FitOptions how = { .tolerance = o->tolerance, .most = o->steps, .sharpen = 1, .report = report_step,
 	    .ctx = (void *)in };
-	double *start = has_start(g, o) ? read_start(in, g, &s) : NULL, began = seconds();
+	double began = seconds();
+	double *start = starts_at_place(g, o) ? start_at_place(in, g, &s) : has_start(g, o) ? read_start(in, g, &s) : NULL;
 	MisfitPlace place;
 	double *held = read_place(in, g, o, &place);
 	Residue residue = { .truncation = 1 };

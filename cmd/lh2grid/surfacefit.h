@@ -10,6 +10,7 @@
 typedef struct SurfaceFit {
 	double  tolerance;
 	int     steps, no_start, no_place, ideal, free;
+	int     follows;                /* the start channels are of another frame */
 	double *forecast, *detail;      /* of lib/surface/surface.h, or NULL */
 } SurfaceFit;
 

@@ -130,17 +130,18 @@ remember(Past *past, double E, double moved)
  * only just below the tolerance while E is still falling fast.  If CG reached its limit of steps, it
  * may have missed slow components; then such a step counts only when E hardly falls any more.
  *
- * If E is 0 up to rounding, that shortens steps at random.  Returns FIT_CONVERGED, FIT_CREPT or 0. */
+ * Where E is 0 up to rounding, no step can lower it.  Returns FIT_CONVERGED, FIT_CREPT or 0. */
 static int
 converged(const FitOptions *o, const Outcome *is, double E, size_t nodes, double moved, const Past *past)
 {
 	int then = past->steps%TEN, last = (past->steps - 1)%TEN;
-	int rounding = E < ROUNDING*nodes;
 	double flat = o->exact && E <= FIT_EXACT*nodes ? 0 : is->spent ? STILL : FAST;
 
+	if (E < ROUNDING*nodes)
+		return FIT_CONVERGED;
 	if (past->steps >= TEN
 	    && (past->E[then] - E < CREEP*past->E[then] || moved - past->moved[then] < o->tolerance))
-		return is->cut && !rounding ? FIT_CREPT : FIT_CONVERGED;
+		return is->cut ? FIT_CREPT : FIT_CONVERGED;
 	if (is->cut)
 		return 0;
 	return is->change < (E > flat*past->E[last] ? 1 : SURE)*o->tolerance || is->predicted <= o->flat*E
