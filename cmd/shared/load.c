@@ -1,5 +1,7 @@
 /* load.c - reading mesh files. */
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "../../lib/mesh/disk.h"
 #include "../../lib/meshfile/meshfile.h"
@@ -27,6 +29,17 @@ load_soup(const char *path, int uv, Soup *s)
 }
 
 void
+load_soup_loose(const char *path, Soup *s)
+{
+	size_t n;
+	char *bytes = cmd_slurp_if(path, load_look, &n);
+
+	if (meshfile_parse_loose(s, bytes, n, claim_input()))
+		die("%s: %s", cmd_name_of(path), s->err);
+	free(bytes);
+}
+
+void
 load_bytes(const char *name, char *bytes, size_t n, int uv, Soup *s)
 {
 	if ((uv ? meshfile_parse_uv : meshfile_parse)(s, bytes, n, claim_input()))
@@ -35,9 +48,27 @@ load_bytes(const char *name, char *bytes, size_t n, int uv, Soup *s)
 }
 
 void
+load_range(const char *name, const Soup *s)
+{
+	double *x = cmd_alloc((size_t)s->first[s->nf] + 1, 3*sizeof *x);
+	size_t n = 0;
+	int i;
+
+	for (i = 0; i < s->first[s->nf]; i++)
+		if (s->idx[i] >= 0 && s->idx[i] < s->nv) {
+			const double *y = s->xyz + 3*(size_t)s->idx[i];
+
+			if (isfinite(y[0]) && isfinite(y[1]) && isfinite(y[2]))
+				memcpy(x + 3*n++, y, 3*sizeof *x);
+		}
+	range_positions(name, n, 3, (const double *[]){ x, x + 1, x + 2 });
+	free(x);
+}
+
+void
 load_disk(const char *name, const Soup *s, Disk *d)
 {
-	range_positions(name, (size_t)s->nv, 3, (const double *[]){ s->xyz, s->xyz + 1, s->xyz + 2 });
+	load_range(name, s);
 	if (disk_from_soup(d, s))
 		die("%s: %s", name, d->err);
 	if (d->note[0])

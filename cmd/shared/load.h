@@ -11,6 +11,13 @@ void load_soup(const char *path, int uv, Soup *s);
 /* The same from n bytes that were read already; frees them. */
 void load_bytes(const char *name, char *bytes, size_t n, int uv, Soup *s);
 
+/* As load_soup without (u,v), but coordinates may be not finite, and corners may be vertices that do not
+ * exist (lib/meshfile: meshfile_parse_loose). */
+void load_soup_loose(const char *path, Soup *s);
+
+/* Dies if a vertex that a face has is out of range (range.h). */
+void load_range(const char *name, const Soup *s);
+
 /* Sets d to the disk made from s, or dies.  Repairs are printed as a note. */
 void load_disk(const char *name, const Soup *s, Disk *d);
 

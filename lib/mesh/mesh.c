@@ -11,8 +11,10 @@ soup_free(Soup *s)
 	free(s->xyz);
 	free(s->first);
 	free(s->idx);
+	free(s->filled);
 	channels_free(&s->channels);
 	s->xyz = NULL;
+	s->filled = NULL;
 	s->first = s->idx = NULL;
 	s->nv = s->nf = 0;
 }

@@ -26,6 +26,7 @@ enum { CHANNEL_NAME = 32 };
                                  * (-1,-1) where a vertex has none */
 #define MESH_OFFSET "offset"    /* the channel of offsets from a gridded surface at these places, four
 				 * numbers: see lib/grid/detail.h */
+#define MESH_SOURCE "source"    /* the channel of numbers that vertices had in another file; -1: none */
 
 /* Numbers at every vertex, beside its position. */
 typedef struct Channel {
@@ -49,6 +50,9 @@ typedef struct Soup {
 	char    err[MESH_ERRLEN];
 	Channels channels;
 	double  T;              /* height of the rectangle of MESH_UV; 0: not known */
+	unsigned char *filled;  /* [nf] 1: the face fills a hole; NULL: not known */
+	const char *remarks;    /* lines for comments of the file that is written, or NULL; not freed
+	                         * with the soup */
 } Soup;
 
 typedef struct Mesh {

@@ -126,7 +126,7 @@ check_corners(Reader *r)
 
 	if ((e = soup_reserve(r, 0, 0, 0)) != 0)
 		return e;
-	for (f = 0; f < s->nf; f++)
+	for (f = 0; f < s->nf && !r->loose; f++)
 		for (i = s->first[f]; i < s->first[f+1]; i++)
 			if (s->idx[i] < 0 || s->idx[i] >= s->nv)
 				return mesh_fail(s->err, MESH_EINDEX, "face %d refers to vertex %d, there are %d",
@@ -134,11 +134,14 @@ check_corners(Reader *r)
 	return 0;
 }
 
+enum { PARSE_UV = 1, PARSE_LOOSE = 2 };
+
 static int
-parse_unpacked(Soup *s, const char *p, size_t n, int read_uv)
+parse_unpacked(Soup *s, const char *p, size_t n, int flags)
 {
 	const MeshStart m = beginning_of(p, n, n, n);
-	Reader r = { .p = m.p, .end = m.p + m.n, .line = 1, .s = s, .read_uv = read_uv };
+	Reader r = { .p = m.p, .end = m.p + m.n, .line = 1, .s = s,
+		.read_uv = flags & PARSE_UV, .loose = flags & PARSE_LOOSE };
 	const MeshFormat *format;
 	char list[MESHFORMAT_LIST];
 	int e;
@@ -148,12 +151,12 @@ parse_unpacked(Soup *s, const char *p, size_t n, int read_uv)
 	format = choose(&m, s->err);
 	if (!format)
 		return MESH_EFORMAT;
-	if (read_uv && !(format->can & MESHFORMAT_UV))
+	if (r.read_uv && !(format->can & MESHFORMAT_UV))
 		return mesh_fail(s->err, MESH_EFORMAT, "only %s carry (u,v)",
 		    meshformat_names(MESHFORMAT_UV, "and", list));
 	if ((e = soup_reserve(&r, 0, 0, 0)) == 0 && (e = format->read(&r)) == 0)
 		e = check_corners(&r);
-	if (!e && read_uv)
+	if (!e && r.read_uv)
 		e = uv_check(&r);
 	free(r.offset);
 	if (e)
@@ -162,7 +165,7 @@ parse_unpacked(Soup *s, const char *p, size_t n, int read_uv)
 }
 
 static int
-parse(Soup *s, const void *bytes, size_t n, size_t most, int read_uv)
+parse(Soup *s, const void *bytes, size_t n, size_t most, int flags)
 {
 	const char *p = bytes;
 	char *out;
@@ -170,10 +173,10 @@ parse(Soup *s, const void *bytes, size_t n, size_t most, int read_uv)
 
 	memset(s, 0, sizeof *s);
 	if (!is_gzip(p, n))
-		return parse_unpacked(s, p, n, read_uv);
+		return parse_unpacked(s, p, n, flags);
 	if ((e = gunzip(p, n, most, &out, &n, s->err)) != 0)
 		return e;
-	e = parse_unpacked(s, out, n, read_uv);
+	e = parse_unpacked(s, out, n, flags);
 	free(out);
 	return e;
 }
@@ -187,7 +190,13 @@ meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most)
 int
 meshfile_parse_uv(Soup *s, const void *bytes, size_t n, size_t most)
 {
-	return parse(s, bytes, n, most, 1);
+	return parse(s, bytes, n, most, PARSE_UV);
+}
+
+int
+meshfile_parse_loose(Soup *s, const void *bytes, size_t n, size_t most)
+{
+	return parse(s, bytes, n, most, PARSE_LOOSE);
 }
 
 int

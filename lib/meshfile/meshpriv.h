@@ -13,6 +13,7 @@ typedef struct Reader {
 	long   line;            /* the line of p, counted from 1 */
 	int    hash;            /* # begins a comment */
 	int    read_uv;          /* read MESH_UV and s->T */
+	int    loose;           /* as meshfile_parse_loose says */
 	double *uv;             /* the values of MESH_UV, once uv_start made it */
 	double (*offset)[4];    /* the values for MESH_OFFSET; noffset of them were read */
 	size_t noffset, capoffset;

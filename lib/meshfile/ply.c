@@ -1,6 +1,8 @@
 /* ply.c - the data of a PLY file. */
+#include <stdlib.h>
 #include <string.h>
 
+#include "../mesh/channel.h"
 #include "plypriv.h"
 
 /* The record being read. */
@@ -139,9 +141,40 @@ record(Record *c)
 		memcpy(c->p->r->uv + 2*c->i, c->x + c->p->uv, 2 * sizeof *c->x);
 	if (c->e->kind == PLY_VERTEX && c->p->offset && (e = offset_append(c->p->r, c->x + PLY_OFFSET)) != 0)
 		return e;
+	if (c->e->kind == PLY_VERTEX && c->p->source)
+		c->p->source[c->i] = c->x[PLY_SOURCE] >= 0 && c->x[PLY_SOURCE] < 1L << 31 ? c->x[PLY_SOURCE] : -1;
+	if (c->e->kind == PLY_FACE && c->p->r->s->filled)
+		c->p->r->s->filled[c->i] = c->x[PLY_FILLED] != 0;
 	if (c->e->kind == PLY_VERTEX)
 		return soup_vertex(c->p->r, c->x);
 	return c->e->kind == PLY_FACE ? soup_face(c->p->r) : 0;
+}
+
+static int
+has_use(const Ply *p, const PlyElem *e, int use)
+{
+	int i;
+
+	for (i = e->p0; i < e->p1; i++)
+		if (p->prop[i].use == use)
+			return 1;
+	return 0;
+}
+
+/* Allocates memory for the numbers of vertices in another file, and for the marks of faces in holes,
+ * if the file has them. */
+static int
+reserve_marks(Ply *p, const PlyElem *e)
+{
+	Soup *s = p->r->s;
+
+	if (e->kind == PLY_VERTEX && has_use(p, e, PLY_SOURCE) &&
+	    !(p->source = channel_add(&s->channels, MESH_SOURCE, 1, (size_t)e->n)))
+		return mesh_fail(s->err, MESH_ENOMEM, "no memory for the source of %lld vertices", e->n);
+	if (e->kind == PLY_FACE && has_use(p, e, PLY_FILLED) &&
+	    !(s->filled = mesh_alloc(s->err, (size_t)e->n, 1)))
+		return MESH_ENOMEM;
+	return 0;
 }
 
 /* Checks that the remaining bytes can contain all records of e, and reserves memory for them.  The
@@ -156,6 +189,8 @@ reserve(Ply *p, const PlyElem *e)
 	int err, i;
 
 	if ((err = soup_check_count(p->r, what[e->kind], e->n, left / least)) != 0)
+		return err;
+	if ((err = reserve_marks(p, e)) != 0)
 		return err;
 	if (e->kind == PLY_VERTEX && p->uv && (err = uv_start(p->r, (size_t)e->n)) != 0)
 		return err;
@@ -198,6 +233,10 @@ ply_read(Reader *r)
 		for (c.i = 0; c.i < c.e->n; c.i++)
 			if ((e = record(&c)) != 0)
 				return e;
+		if (c.e->kind == PLY_STRIP) {   /* its faces are not marked */
+			free(r->s->filled);
+			r->s->filled = NULL;
+		}
 		if (c.e->kind == PLY_STRIP)     /* most of what reserve took for strips is not used */
 			soup_trim(r);
 	}

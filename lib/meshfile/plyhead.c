@@ -82,7 +82,7 @@ uv_use(Token name)
 	    "offset_u", "offset_v", "offset_n", "offset_r" };
 	int i;
 
-	for (i = 0; i < PLY_USES - PLY_UV; i++)
+	for (i = 0; i < PLY_SOURCE - PLY_UV; i++)
 		if (scan_is(name, known[i]))
 			return PLY_UV + i;
 	return PLY_SKIP;
@@ -96,6 +96,10 @@ property_use(int kind, int list, Token name, int read_uv)
 	if ((kind == PLY_FACE || kind == PLY_STRIP) && list &&
 	    (scan_is(name, "vertex_indices") || scan_is(name, "vertex_index")))
 		return PLY_CORNERS;
+	if (kind == PLY_VERTEX && !list && scan_is(name, MESH_SOURCE))
+		return PLY_SOURCE;
+	if (kind == PLY_FACE && !list && scan_is(name, "filled"))
+		return PLY_FILLED;
 	return kind == PLY_VERTEX && !list && read_uv ? uv_use(name) : PLY_SKIP;
 }
 
@@ -159,7 +163,7 @@ find_offset(Ply *p, const PlyElem *vertex)
 	int i, has = 0;
 
 	for (i = vertex->p0; i < vertex->p1; i++)
-		has += p->prop[i].use >= PLY_OFFSET;
+		has += p->prop[i].use >= PLY_OFFSET && p->prop[i].use < PLY_SOURCE;
 	p->offset = has == 4;
 	return has == 0 || has == 4 ? 0 : mesh_fail(p->r->s->err, MESH_EFORMAT,
 	    "vertices have %d of the properties offset_u offset_v offset_n offset_r", has);

@@ -6,9 +6,11 @@
 
 enum { PLY_ASCII, PLY_LITTLE, PLY_BIG };
 enum { PLY_OTHER, PLY_VERTEX, PLY_FACE, PLY_STRIP };    /* kinds of elements */
-enum { PLY_SKIP = -1, PLY_CORNERS = 3, PLY_UV = 4, PLY_OFFSET = 10, PLY_USES = 14 };
+enum { PLY_SKIP = -1, PLY_CORNERS = 3, PLY_UV = 4, PLY_OFFSET = 10,
+	PLY_SOURCE = 14, PLY_FILLED = 15, PLY_USES = 16 };
                                 /* values of PlyProp.use: 0 1 2 are x y z; 4 5, 6 7 and 8 9 are u v
-                                 * by their three pairs of names; 10 to 13 are the offset */
+                                 * by their three pairs of names; 10 to 13 are the offset; 14 is the
+                                 * number of a vertex in another file, 15 marks faces in holes */
 enum { PLY_MAXELEM = 32, PLY_MAXPROP = 256 };
 
 typedef struct PlyType {
@@ -33,6 +35,7 @@ typedef struct Ply {
 	int format, ne, np;
 	int uv;                 /* the use of the u that is read: 4, 6 or 8; 0: none */
 	int offset;             /* offsets are read */
+	double *source;         /* the values of MESH_SOURCE, if the vertices have them */
 	PlyElem elem[PLY_MAXELEM];
 	PlyProp prop[PLY_MAXPROP];
 } Ply;

@@ -34,45 +34,86 @@ countsize(const Soup *s)
 static const char OFFSET[] = "property double offset_u\nproperty double offset_v\n"
 	"property double offset_n\nproperty double offset_r\n";
 
-static void
-plyhead(Text *t, const Soup *s, int uv, int offset, int size)
+/* Which optional properties the file has. */
+typedef struct Has {
+	const double *uv, *offset, *source;
+} Has;
+
+/* The lines of the remarks as comments.  Returns 0 or MESH_ENOMEM. */
+static int
+remarks(Text *t, const char *line)
 {
-	text_words(t, "ply\nformat binary_little_endian 1.0\n");
-	text_modulus(t, s, "comment ");
+	int n;
+
+	for (; line && *line; line += n + (line[n] == '\n')) {
+		n = (int)strcspn(line, "\n");
+		if (!text_room(t))
+			return MESH_ENOMEM;
+		t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "comment %.*s\n", n < 300 ? n : 300, line);
+	}
+	return text_room(t) ? 0 : MESH_ENOMEM;
+}
+
+static void
+plyhead(Text *t, const Soup *s, const Has *has, int size)
+{
 	t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "element vertex %d\n"
-	    "property double x\nproperty double y\nproperty double z\n%s%s"
-	    "element face %d\nproperty list %s int vertex_indices\nend_header\n", s->nv,
-	    uv ? "property double s\nproperty double t\n" : "", offset ? OFFSET : "", s->nf,
-	    size > 1 ? "int" : "uchar");
+	    "property double x\nproperty double y\nproperty double z\n%s%s%s"
+	    "element face %d\nproperty list %s int vertex_indices\n%send_header\n", s->nv,
+	    has->uv ? "property double s\nproperty double t\n" : "", has->offset ? OFFSET : "",
+	    has->source ? "property int " MESH_SOURCE "\n" : "", s->nf, size > 1 ? "int" : "uchar",
+	    s->filled ? "property uchar filled\n" : "");
+}
+
+static int
+plyvertex(Text *t, const Soup *s, const Has *has, int i)
+{
+	if (!text_room(t))
+		return MESH_ENOMEM;
+	doubles(t, s->xyz + 3*(size_t)i, 3);
+	if (has->uv)
+		doubles(t, has->uv + 2*(size_t)i, 2);
+	if (has->offset)
+		doubles(t, has->offset + 4*(size_t)i, 4);
+	if (has->source)
+		text_bytes(t, (uint64_t)(int64_t)has->source[i], 4);
+	return 0;
+}
+
+static int
+plyface(Text *t, const Soup *s, int f, int size)
+{
+	const int *v, n = text_corners(s, f, &v);
+	int i;
+
+	for (i = -1; i < n; i++) {
+		if (!text_room(t))
+			return MESH_ENOMEM;
+		text_bytes(t, (uint64_t)(i < 0 ? n : v[i]), i < 0 ? size : 4);
+	}
+	if (s->filled)
+		text_bytes(t, s->filled[f], 1);
+	return 0;
 }
 
 int
 ply_write(Text *t, const Soup *s)
 {
-	const double *uv = channel_values(&s->channels, MESH_UV);
-	const double *offset = channel_values(&s->channels, MESH_OFFSET);
-	const int size = countsize(s), *v;
-	int f, i, n;
+	const Has has = { channel_values(&s->channels, MESH_UV), channel_values(&s->channels, MESH_OFFSET),
+		channel_values(&s->channels, MESH_SOURCE) };
+	const int size = countsize(s);
+	int i, e = 0;
 
 	if (!text_room(t))
 		return MESH_ENOMEM;
-	plyhead(t, s, uv != NULL, offset != NULL, size);
-	for (i = 0; i < s->nv; i++) {
-		if (!text_room(t))
-			return MESH_ENOMEM;
-		doubles(t, s->xyz + 3*(size_t)i, 3);
-		if (uv)
-			doubles(t, uv + 2*(size_t)i, 2);
-		if (offset)
-			doubles(t, offset + 4*(size_t)i, 4);
-	}
-	for (f = 0; f < s->nf; f++) {
-		n = text_corners(s, f, &v);
-		for (i = -1; i < n; i++) {
-			if (!text_room(t))
-				return MESH_ENOMEM;
-			text_bytes(t, (uint64_t)(i < 0 ? n : v[i]), i < 0 ? size : 4);
-		}
-	}
-	return 0;
+	text_words(t, "ply\nformat binary_little_endian 1.0\n");
+	text_modulus(t, s, "comment ");
+	if (remarks(t, s->remarks))
+		return MESH_ENOMEM;
+	plyhead(t, s, &has, size);
+	for (i = 0; !e && i < s->nv; i++)
+		e = plyvertex(t, s, &has, i);
+	for (i = 0; !e && i < s->nf; i++)
+		e = plyface(t, s, i, size);
+	return e;
 }

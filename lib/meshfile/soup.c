@@ -96,7 +96,7 @@ soup_vertex(Reader *r, const double x[3])
 	if (n == r->capv && (e = grow_vertices(r, 2*n + 1)) != 0)
 		return e;
 	for (c = 0; c < 3; c++) {
-		if (!isfinite(x[c]))
+		if (!isfinite(x[c]) && !r->loose)
 			return mesh_fail(r->s->err, MESH_EVALUE,
 			    "vertex %d has a coordinate that is not finite", r->s->nv);
 		r->s->xyz[3*n + (size_t)c] = x[c];
@@ -112,7 +112,9 @@ soup_corner(Reader *r, long long i)
 
 	if (r->ni >= INT_MAX - 1)
 		return too_many(r, "corners");
-	if (i < 0 || i > INT_MAX)
+	if (r->loose && (i < 0 || i > INT_MAX))
+		i = -1;
+	else if (i < 0 || i > INT_MAX)
 		return mesh_fail(r->s->err, MESH_EINDEX, "face %d refers to vertex %lld, there are %d",
 		    r->s->nf, i, r->s->nv);
 	if (r->ni == r->capi && (e = grow_corners(r, 2*r->ni + 1)) != 0)
