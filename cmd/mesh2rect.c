@@ -227,7 +227,7 @@ main(int argc, char *argv[])
 	if (uv)
 		opt_uv(uv, argv[optind]);
 	cmd_binary_output();
-	load_soup(argv[optind], 0, &s);
+	load_soup_loose(argv[optind], &s);
 	load_disk(cmd_name_of(argv[optind]), &s, &d);
 	if (!uv)
 		soup_free(&s);

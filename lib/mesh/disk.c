@@ -9,6 +9,7 @@
 #include "disk.h"
 #include "fail.h"
 #include "polygon.h"
+#include "remedy.h"
 #include "repair.h"
 #include "topology.h"
 
@@ -41,12 +42,13 @@ checkcorners(const Soup *s, char *err)
 static int
 checkfinite(const Soup *s, char *err)
 {
-	size_t i;
+	int i, c;
 
-	for (i = 0; i < 3*(size_t)s->nv; i++)
-		if (!isfinite(s->xyz[i]))
-			return mesh_fail(err, MESH_EVALUE,
-			    "vertex %zu has a coordinate that is not finite", i/3);
+	for (i = 0; i < s->first[s->nf]; i++)
+		for (c = 0; c < 3; c++)
+			if (!isfinite(s->xyz[3*(size_t)s->idx[i] + (size_t)c]))
+				return mesh_fail(err, MESH_EVALUE,
+				    "vertex %d has a coordinate that is not finite; mesh2disk drops its faces", s->idx[i]);
 	return 0;
 }
 
@@ -192,7 +194,9 @@ checkdisk(Disk *d)
 		return e;
 	if (t.odd)
 		e = orient(d, &t);
-	if (!e && (e = check_pieces(&t)) == 0)
+	if (!e && (e = check_pieces(&t)) == MESH_EDISK)
+		e = remedy_components(&t, d->m.xyz, e);
+	if (!e)
 		e = topology_loop(&t, &d->loop, &d->nb);
 	d->twin = t.twin;
 	return e;
@@ -205,8 +209,10 @@ split_faces(Disk *d, const Soup *s, int loose)
 	char reason[MESH_ERRLEN];
 	int out, e;
 
-	if (!loose)
-		return polygon_split(s, &d->m.tri, &d->m.nf, d->err);
+	if (!loose) {
+		e = polygon_split(s, &d->m.tri, &d->m.nf, d->err);
+		return e == MESH_EFACE ? remedy(d->err, e, "takes it out") : e;
+	}
 	if ((e = polygon_split_some(s, &d->m.tri, &d->m.nf, &out, reason)) != 0)
 		return mesh_fail(d->err, e, "%s", reason);
 	if (out)
@@ -236,7 +242,13 @@ build(Disk *d, const Soup *s, int loose, int *scratch)
 		return e;
 	if (channels_gather(&d->channels, &s->channels, m->nv, d->file, 0))
 		return mesh_fail(d->err, MESH_ENOMEM, "no memory for the channels of %d vertices", m->nv);
-	return loose ? 0 : checkdisk(d);
+	if (loose || (e = checkdisk(d)) != 0)
+		return loose ? 0 : e;
+	if ((v = remedy_coincident(d)) < 0)
+		return v;
+	if (v > 0)
+		addnote(d, "%d boundary vertices lie at the place of others, as on a seam: mesh2disk welds them", v);
+	return 0;
 }
 
 static int
@@ -267,27 +279,4 @@ int
 disk_loose(Disk *d, const Soup *s)
 {
 	return from_soup(d, s, 1);
-}
-
-/* The number that a side has after its face is turned. */
-static int
-flipped(int side)
-{
-	return side < 0 ? side : side - side%3 + (2 - side%3);
-}
-
-void
-disk_flip(Disk *d)
-{
-	int f, i, t;
-
-	for (f = 0; f < d->m.nf; f++) {
-		int *c = d->m.tri + 3*(size_t)f, *twin = d->twin + 3*(size_t)f;
-
-		t = c[1], c[1] = c[2], c[2] = t;
-		t = twin[0], twin[0] = flipped(twin[2]), twin[2] = flipped(t);
-		twin[1] = flipped(twin[1]);
-	}
-	for (i = 1; i < d->nb - i; i++)
-		t = d->loop[i], d->loop[i] = d->loop[d->nb - i], d->loop[d->nb - i] = t;
 }

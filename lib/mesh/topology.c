@@ -123,7 +123,7 @@ topology_fans(const Topology *t)
 	for (v = 0; !e && v < t->nv; v++)
 		if (fans[v] != 1)
 			e = mesh_fail(t->err, MESH_EMANIFOLD,
-			    "vertex %d is pinched: %d fans of faces meet there",
+			    "vertex %d is pinched: %d fans of faces meet there; mesh2disk parts them",
 			    topology_name(t, v), fans[v]);
 	free(seen);
 	free(fans);
@@ -178,7 +178,8 @@ check_one_loop(const Topology *t, int *out, int v)
 		}
 	if (n == 1)
 		return 0;
-	return mesh_fail(t->err, MESH_EDISK, "%d boundary loops, a disk has one: at vertices %s%s",
+	return mesh_fail(t->err, MESH_EDISK, "%d boundary loops, a disk has one: at vertices %s%s; mesh2disk "
+	    "fills all but the longest",
 	    n, where, n > 4 ? ", .." : "");
 }
 
@@ -189,7 +190,8 @@ check_genus(const Topology *t)
 {
 	const int chi = t->nv - t->nedge + t->nf;
 
-	return chi == 1 ? 0 : mesh_fail(t->err, MESH_EDISK, "genus %d: a disk has no handles",
+	return chi == 1 ? 0 : mesh_fail(t->err, MESH_EDISK, "genus %d: a disk has no handles; mesh2disk "
+	    "--handles=cut cuts them",
 	    (1 - chi) / 2);
 }
 
@@ -204,7 +206,7 @@ topology_loop(const Topology *t, int **loop, int *nb)
 	n = boundary_sides(t, out);
 	*loop = n > 0 ? mesh_alloc(t->err, (size_t)n, sizeof **loop) : NULL;
 	if (n == 0) {
-		e = mesh_fail(t->err, MESH_EDISK, "closed surface: no boundary");
+		e = mesh_fail(t->err, MESH_EDISK, "closed surface: no boundary; mesh2disk --open=auto cuts it open");
 	} else if (!*loop) {
 		e = MESH_ENOMEM;
 	} else {

@@ -115,7 +115,7 @@ pair_all(Topology *t, const int *start, Side *s)
 	if (bad == t->nv)
 		return 0;
 	n = pair(t, s + start[bad], start[bad+1] - start[bad], &nedge, &odd, &hi);
-	return mesh_fail(t->err, MESH_EMANIFOLD, "edge %d-%d belongs to %d faces",
+	return mesh_fail(t->err, MESH_EMANIFOLD, "edge %d-%d belongs to %d faces; mesh2disk parts them",
 	    topology_name(t, bad), topology_name(t, hi), n);
 }
 

@@ -1,0 +1,16 @@
+/* remedy.h - what a refusal of a mesh says about mesh2disk, which can mend it.  For lib/mesh only. */
+#ifndef REMEDY_H
+#define REMEDY_H
+
+#include "topology.h"
+
+/* Appends "; mesh2disk " and the remedy to the message.  Returns code. */
+int remedy(char err[MESH_ERRLEN], int code, const char *what);
+
+/* Appends that mesh2disk keeps the largest component, and its share of the area. */
+int remedy_components(const Topology *t, const double *xyz, int code);
+
+/* The number of boundary vertices at the place of another, or MESH_ENOMEM with a message in d->err. */
+int remedy_coincident(Disk *d);
+
+#endif
