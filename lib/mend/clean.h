@@ -1,0 +1,24 @@
+/* clean.h - from the polygons of a file to triangles that can be repaired.  Private to lib/mend. */
+#ifndef CLEAN_H
+#define CLEAN_H
+
+#include "sheet.h"
+
+/* What was left out, and the first of each kind as the file counts, -1 if there is none. */
+typedef struct Cleaned {
+	int unused;             /* vertices of no face */
+	int missing, missing_at;        /* faces with a corner that is no vertex; the first */
+	int infinite, infinite_at;      /* faces at a vertex that is not finite; that vertex */
+	int broken, broken_at;  /* faces of fewer than three different corners, or with one twice */
+	int twice, twice_at;    /* faces on the same three places as one before them */
+} Cleaned;
+
+/* Splits the polygons of a soup into triangles: sets s, without twins, all vertices with their numbers
+ * in the soup.  Triangles keep their corners; corners that follow themselves count once; a polygon
+ * that cannot be split into triangles with area is split into a fan.  Left out are the faces of
+ * Cleaned.  The filled faces of the soup stay so.
+ *
+ * Returns 0, MESH_ENOMEM, or MESH_EDISK if no face is left. */
+int sheet_clean(Sheet *s, const Soup *soup, Cleaned *c);
+
+#endif

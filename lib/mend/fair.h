@@ -1,0 +1,29 @@
+/* fair.h - the vertices of patches are moved so that the surface goes on as it comes in.  Private to
+ * lib/mend.
+ *
+ * With K the cotangent stiffness and M the lumped areas of the surface with flat patches, the
+ * positions x of the patches' vertices solve
+ *
+ *   C1   K M^-1 K x = 0                  the least bending, position and slope continued
+ *   C2   K M^-1 K M^-1 K x = 0           the least change of bending, curvature too
+ *
+ * in the rows of these vertices, with all others held.  [M. Botsch, L. Kobbelt, An intuitive framework for
+ * real-time freeform modeling, ACM Trans. Graph. 23 (2004), 630-634]
+ */
+#ifndef FAIR_H
+#define FAIR_H
+
+#include "sheet.h"
+
+enum { FAIR_FLAT, FAIR_C1, FAIR_C2 };
+
+/* Moves the vertices from number `from` on.  A boundary vertex has no mean curvature: M^-1 is 0 there,
+ * and the outer K leaves out the triangles that have one.
+ *
+ * order  in   FAIR_C1 or FAIR_C2
+ *
+ * Returns the order that was used: lower if the system of the higher is singular, FAIR_FLAT if nothing
+ * was moved; or MESH_ENOMEM. */
+int fair(Sheet *s, int from, int order);
+
+#endif

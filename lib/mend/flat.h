@@ -1,0 +1,25 @@
+/* flat.h - faces without area are taken out of a sheet.  Private to lib/mend. */
+#ifndef FLAT_H
+#define FLAT_H
+
+#include "sheet.h"
+
+/* A face is flat if its height over its longest edge is at most this share of the edge: the root of
+ * the precision of a double.  Half of the digits of its normal are then noise. */
+#define FLAT_SHAPE 1.5e-8
+
+typedef struct Flattened {
+	int collapsed;          /* edges as short as that, of which the ends became one vertex */
+	int flipped;            /* longest edges that were replaced by the other diagonal */
+	int dropped;            /* faces whose longest edge is on the boundary */
+	int left, at;           /* faces that could not be mended, and a vertex of the first; else -1 */
+} Flattened;
+
+/* Takes out the flat faces.  The positions of the vertices that remain are kept.  Needs twins, and
+ * neighbours that agree.  Returns 0 or MESH_ENOMEM. */
+int flat_mend(Sheet *s, Flattened *r);
+
+/* How many faces are flat. */
+int flat_count(const Sheet *s);
+
+#endif

@@ -1,0 +1,68 @@
+/* open.c - closed surfaces are cut open from end to end. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "../mesh/fail.h"
+#include "area.h"
+#include "open.h"
+#include "path.h"
+#include "piece.h"
+
+/* The vertex of that piece nearest to a point; the lowest if several are. */
+static int
+nearest(const Sheet *s, const int *piece, int p, const double *at)
+{
+	double d[3], least = HUGE_VAL;
+	int i, found = -1;
+
+	for (i = 0; i < 3*s->nf; i++) {
+		if (piece[i/3] != p)
+			continue;
+		sub3(sheet_at(s, s->tri[i]), at, d);
+		if (dot3(d, d) < least || (dot3(d, d) == least && s->tri[i] < found)) {
+			least = dot3(d, d);
+			found = s->tri[i];
+		}
+	}
+	return found;
+}
+
+/* Cuts from the start of the paths to the farthest vertex. */
+static double
+cut(PathTree *t, Sheet *s)
+{
+	int v = t->order[t->n - 1];
+	const double length = t->distance[v];
+
+	for (; t->via[v] >= 0; v = path_before(t, s, v))
+		path_cut(s, t->via[v]);
+	return length;
+}
+
+int
+open_all(Sheet *s, const double *at, double *length)
+{
+	int *piece = mesh_alloc(s->err, (size_t)s->nf, sizeof *piece), n, p, v, merged, split, e;
+	PathTree t = { 0 };
+	Piece *list = NULL;
+
+	*length = 0;
+	e = n = piece ? piece_find(s, piece, &list) : MESH_ENOMEM;
+	if (n >= 0)
+		e = path_init(&t, s);
+	for (p = 0; !e && p < n; p++) {
+		if (list[p].loops > 0)
+			continue;
+		v = at ? nearest(s, piece, p, at) : s->tri[3*(size_t)list[p].first];
+		path_from(&t, s, v, NULL);
+		if (!at)
+			path_from(&t, s, t.order[t.n - 1], NULL);
+		*length += cut(&t, s);
+	}
+	if (!e)
+		e = sheet_part(s, NULL, &merged, &split);
+	path_free(&t);
+	free(piece);
+	free(list);
+	return e;
+}
