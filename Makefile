@@ -18,7 +18,7 @@
 
 include config.mk
 
-CMD = mesh2rect grid2lh lhfft lhinterp lh2grid grid2mesh lhinfo lhdiff mkmesh
+CMD = mesh2disk mesh2rect grid2lh lhfft lhinterp lh2grid grid2mesh lhinfo lhdiff mkmesh
 
 BUILD    := build$(if $(SANITIZE),/$(SANITIZE))
 export BUILD

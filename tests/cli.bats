@@ -81,7 +81,7 @@ setup_file() {
 }
 
 @test "operands too many or too few exit 2" {
-	for c in mesh2rect grid2lh lh2grid grid2mesh; do
+	for c in mesh2disk mesh2rect grid2lh lh2grid grid2mesh; do
 		try 2 'operand two is one too many' /dev/null $c one two
 	done
 	try 2 'operand two is one too many' /dev/null lhfft -K 1 one two
@@ -93,7 +93,7 @@ setup_file() {
 
 @test "a missing file, a directory, empty input and input of another kind exit 1" {
 	local c
-	for c in mesh2rect grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo; do
+	for c in mesh2disk mesh2rect grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo; do
 		try 1 'nosuch: No such file'             /dev/null $c "$tmp/nosuch"
 		try 1 'Is a directory'                   /dev/null $c "$tmp"
 		try 1 'stdin: empty input'               /dev/null $c

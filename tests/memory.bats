@@ -32,6 +32,13 @@ short_of() {
 share=4
 
 @test "mkmesh"    { short_of $share mkmesh -n 60 cap; short_of $share mkmesh --help; short_of $share mkmesh --list; }
+@test "mesh2disk" {
+	printf 'OFF\n9 8 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n1 1 0\n2 1 0\n2 2 0\n1 2 0\n0 0 0\n' >"$tmp/ring.off"
+	printf '3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 8 4\n3 3 4 7\n' >>"$tmp/ring.off"
+	short_of $share mesh2disk "$tmp/ring.off"
+	short_of $share mesh2disk --check "$tmp/ring.off"
+	short_of $share mesh2disk --holes=all --open=auto "$tmp/ring.off"
+}
 @test "grid2lh"   { short_of $share grid2lh "$tmp/phi"; short_of $share grid2lh --residual "$tmp/phi"; }
 @test "lhfft"     { short_of $share lhfft -K 1 "$tmp/lh"; short_of $share lhfft -K 1 --basis=dft --spectrum="$tmp/table" "$tmp/lh"; }
 @test "lhinterp"  { short_of $share lhinterp -t 0.5 "$tmp/lh" "$tmp/lh"; }

@@ -110,7 +110,7 @@ setup_file() {
 
 @test "a full disk behind stdout is an error of every command" {
 	local c
-	for c in "mesh2rect -q -n 8 $tmp/cap.off" "grid2lh $tmp/phi" "lhfft -K 1 $tmp/lh" "lh2grid $tmp/lh" \
+	for c in "mesh2disk $tmp/cap.off" "mesh2rect -q -n 8 $tmp/cap.off" "grid2lh $tmp/phi" "lhfft -K 1 $tmp/lh" "lh2grid $tmp/lh" \
 	    "grid2mesh $tmp/phi" "lhinterp -t 0.5 $tmp/lh $tmp/lh" "lhinfo $tmp/lh" \
 	    "lhdiff $tmp/phi $tmp/phi" "mkmesh -n 100 cap" "mkmesh --help" "lhfft --version"; do
 		code=0
@@ -144,7 +144,7 @@ setup_file() {
 
 @test "stdout, stdin or stderr closed: one line or none, and no other file receives messages" {
 	local c
-	for c in "mesh2rect -q -n 8 $tmp/cap.off" "grid2lh $tmp/phi" "lhfft -K 1 $tmp/lh" "lh2grid $tmp/lh" \
+	for c in "mesh2disk $tmp/cap.off" "mesh2rect -q -n 8 $tmp/cap.off" "grid2lh $tmp/phi" "lhfft -K 1 $tmp/lh" "lh2grid $tmp/lh" \
 	    "grid2mesh $tmp/phi" "lhinterp -t 0.5 $tmp/lh $tmp/lh" "lhinfo $tmp/lh" \
 	    "lhdiff $tmp/phi $tmp/phi" "mkmesh -n 100 cap" "mkmesh --help" "lhfft --version"; do
 		code=0
@@ -153,7 +153,7 @@ setup_file() {
 		[ "$(wc -l <"$tmp/err")" = 1 ]
 		grep -q ': stdout: .*Bad file descriptor$' "$tmp/err" || { echo "$c"; return 1; }
 	done
-	for c in mesh2rect grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo; do
+	for c in mesh2disk mesh2rect grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo; do
 		code=0
 		$c <&- >"$tmp/out" 2>"$tmp/err" || code=$?
 		[ $code = 1 ]

@@ -10,8 +10,9 @@ setup_file() {
 	mesh2rect -n 96 --uv=uv.ply face.off -o phi     # so many nodes that sums use several threads
 	grid2lh --residual phi -o lh
 	mesh2rect -n 24 face.off | grid2lh -o small.lh
+	awk 'NR == 2 { nv = $1; print $1, $2 - 40, 0; next } NR < nv + 1000 || NR >= nv + 1040' face.off >hole.off
 	mkdir there
-	cp face.off uv.ply phi lh small.lh there
+	cp hole.off face.off uv.ply phi lh small.lh there
 }
 
 # same COMMAND...: checks that stdout and stderr of COMMAND do not depend on threads, folder or locale.
@@ -31,6 +32,7 @@ same() {
 }
 
 @test "mkmesh"    { same mkmesh -n 4000 cortex; same mkmesh -n 100 torus --seed=3; same mkmesh --help; }
+@test "mesh2disk" { same mesh2disk hole.off; same mesh2disk --check --json hole.off; same mesh2disk --holes=all --open=auto hole.off; }
 @test "mesh2rect" { same mesh2rect -n 96 face.off; same mesh2rect -v -n 24 --surface=facets --split=2 face.off; }
 @test "grid2lh"   { same grid2lh --residual phi; same grid2lh -v phi; }
 @test "lhfft"     { same lhfft -v -K 0.5,2 lh; same lhfft --energy=0.9 --basis=dft lh; }

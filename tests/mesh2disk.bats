@@ -1,0 +1,115 @@
+# mesh2disk.bats - what people really have goes in: files with known faults, made here and real.
+
+load helper
+
+setup_file() {
+	load helper
+	mkmesh -n 300 face -o "$tmp/face.off"
+	mkmesh -n 300 face -o "$tmp/face.stl"
+}
+
+# faces FILE FIRST LAST: prints an OFF file without these faces, counted from 0.
+without_faces() {
+	awk -v a="$2" -v b="$3" 'NR == 2 { nv = $1; print $1, $2 - (b - a + 1), 0; next }
+		NR > 2 + nv { f = NR - 3 - nv; if (f >= a && f <= b) next } { print }' "$1"
+}
+
+# head_of FILE: prints the header of a PLY.
+head_of() { sed -n '1,/^end_header/p' "$1" | tr -d '\0'; }
+
+@test "a disk goes through unchanged, and again byte by byte" {
+	try 0 '' "$tmp/face.off" mesh2disk
+	mv "$tmp/out" "$tmp/once.ply"
+	try 0 '' "$tmp/once.ply" mesh2disk
+	cmp "$tmp/once.ply" "$tmp/out"
+	try 0 '' "$tmp/face.off" mesh2disk -o "$tmp/same.off"
+	cmp "$tmp/face.off" "$tmp/same.off"
+	head_of "$tmp/once.ply" | grep -q '^property int source$'
+	head_of "$tmp/once.ply" | grep -q '^property uchar filled$'
+}
+
+@test "each change is one note, and a comment in the output" {
+	without_faces "$tmp/face.off" 300 300 >"$tmp/hole.off"
+	try 0 'stdin: 1 hole filled by 1 face and 0 vertices, flat, the longest [0-9.]+ round$' "$tmp/hole.off" mesh2disk
+	head_of "$tmp/out" | grep -q '^comment mesh2disk: 1 hole filled'
+	mv "$tmp/out" "$tmp/filled.ply"
+	try 0 '' "$tmp/filled.ply" mesh2rect -n 4
+	try 0 '' "$tmp/hole.off" mesh2disk -q
+	try 0 'welded to others at the same place' "$tmp/face.stl" mesh2disk
+	mesh2disk "$tmp/hole.off" -o "$tmp/filled.off" 2>"$tmp/err"
+	grep -q 'OFF has no place for source and filled, PLY does$' "$tmp/err"
+}
+
+@test "mesh2rect refuses and names the remedy" {
+	without_faces "$tmp/face.off" 300 300 >"$tmp/hole.off"
+	try 1 '2 boundary loops, .*mesh2disk fills all but the longest' "$tmp/hole.off" mesh2rect
+	printf 'OFF\n6 2 0\n0 0 0\n3 0 0\n0 1 0\n5 5 5\n6 5 5\n5 6 5\n3 0 1 2\n3 3 4 5\n' >"$tmp/two.off"
+	try 1 '2 components, a disk is one; mesh2disk keeps the largest, 75 % of the area' "$tmp/two.off" mesh2rect
+	try 0 '1 of 2 components kept; the others have 25 % of the area' "$tmp/two.off" mesh2disk
+	printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >"$tmp/tetra.off"
+	try 1 'closed surface: no boundary; mesh2disk --open=auto cuts it open' "$tmp/tetra.off" mesh2rect
+	try 0 'the surface is closed and stays so; --open=auto' "$tmp/tetra.off" mesh2disk
+}
+
+@test "--check reports all faults at once, as text and as JSON" {
+	without_faces "$tmp/face.off" 300 300 | awk 'NR == 2 { nv = $1; print $1 + 4, $2 + 3, 0; next } { print }
+		NR == 2 + nv { print "9 9 9\n9 9 8\n9 8 9\n7 7 7" }
+		END { print "3 0 0 1\n3", nv, nv + 1, nv + 2; print }' >"$tmp/three.off"
+	try 0 '' "$tmp/three.off" mesh2disk --check
+	grep -Eq '^vertices of no face +1 ' "$tmp/out"
+	grep -Eq '^faces without corners +1 ' "$tmp/out"
+	grep -Eq '^faces said twice +1 ' "$tmp/out"
+	grep -Eq '^components +2 ' "$tmp/out"
+	grep -Eq '^boundary loops +2 ' "$tmp/out"
+	grep -Eq '^holes filled +1 ' "$tmp/out"
+	grep -Eq '^result: a disk, ' "$tmp/out"
+	try 0 '' "$tmp/three.off" mesh2disk --check --json
+	python3 - "$tmp/out" <<-'END'
+		import json, sys
+		r = json.load(open(sys.argv[1]))
+		assert r['unused_vertices'] == 1 and r['faces_without_corners'] == 1 and r['faces_twice'] == 1
+		assert len(r['components']) == 2 and len(r['loops']) == 2 and r['holes_filled'] == 1
+		assert r['result'] == 'disk' and r['result_vertices'] == r['vertices'] - 4
+	END
+	try 2 '--json needs --check' "$tmp/face.off" mesh2disk --json
+}
+
+@test "wrong options exit 2" {
+	try 2 'weld=-1: need a number in \[0,'        /dev/null mesh2disk --weld=-1
+	try 2 'need a whole number in \[1,'           /dev/null mesh2disk --components=0
+	try 2 'holes=some: need all, fill or keep'    /dev/null mesh2disk --holes=some
+	try 2 'need a number in \[0,1\]'              /dev/null mesh2disk --max-hole=2
+	try 2 'fill=C3: need flat, C1 or C2'          /dev/null mesh2disk --fill=C3
+	try 2 'handles=x: need refuse or cut'         /dev/null mesh2disk --handles=x
+	try 2 'open=1,2: need none, auto or X,Y,Z'    /dev/null mesh2disk --open=1,2
+	try 2 'open=1,2,3,4: need none, auto or'      /dev/null mesh2disk --open=1,2,3,4
+	try 2 'need a name that ends in'              /dev/null mesh2disk -o "$tmp/x.xyz"
+}
+
+@test "holes: --max-hole, --holes=keep and all" {
+	without_faces "$tmp/face.off" 300 300 >"$tmp/hole.off"
+	try 0 'no disk: more than one boundary loop' "$tmp/hole.off" mesh2disk --holes=keep
+	try 0 'no disk: more than one boundary loop' "$tmp/hole.off" mesh2disk --max-hole=0.001
+	mesh2disk -q --holes=all "$tmp/hole.off" -o "$tmp/closed.ply"
+	try 0 'the surface is closed' "$tmp/closed.ply" mesh2disk
+}
+
+@test "real files with faults: mended, or refused with the reason" {
+	[ -d "$meshes/bad" ] || skip "no test meshes: set LHGRID_MESHES"
+	local b="$meshes/bad" f
+	for f in two_loops_face.obj components_face_scan.obj pinched_vertex_face.off nonmanifold_edges.obj \
+	    soup_duplicated_vertices.off orientation_half_flipped.obj zero_area_bad_index.off nan_coordinates.off \
+	    unreferenced_vertices.ply quads_wrapped_lines.off; do
+		mesh2disk -q "$b/$f" -o "$tmp/real.ply"
+		mesh2rect -q -n 8 --polish=0 "$tmp/real.ply" -o "$tmp/real.lhg"
+		mesh2disk -q "$tmp/real.ply" -o "$tmp/again.ply"
+		cmp <(sed '1,/^end_header/d' "$tmp/real.ply") <(sed '1,/^end_header/d' "$tmp/again.ply")
+	done
+	try 0 'closed and stays so'   "$b/closed_bunny.off"    mesh2disk
+	mesh2disk -q --open=auto "$b/closed_bunny.off" | mesh2rect -q -n 8 --polish=0 -o "$tmp/real.lhg"
+	try 1 '2 handles: --handles=cut cuts and closes them' "$b/genus2_one_loop.off" mesh2disk
+	mesh2disk -q --handles=cut "$b/genus2_one_loop.off" -o "$tmp/real.ply"
+	mesh2disk --check "$tmp/real.ply" | grep -q '^result: a disk'
+	try 1 'surface is one-sided'  "$b/moebius_quads.obj"   mesh2disk
+	try 1 'file ends in face'     "$b/truncated.ply"       mesh2disk
+}
