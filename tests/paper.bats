@@ -53,7 +53,7 @@ load helper
 		H, area, normal = surface.curvature(p, T)
 		assert abs(abs(H) - 1/3).max() < 1e-3
 		near(surface.bending(p, T), surface.root_area(inner)**2/9, 0.05)
-		assert surface.roughness(p, T) < 1e-6
+		assert surface.roughness(p, T, 2) < 1e-6
 		# the graph of x = u, y = 2 v, z = a sin(4 u): H = -8 a sin(4 u) about, for small a
 		u, v = np.meshgrid(np.linspace(0, 1, nu), np.linspace(0, T, nv))
 		wave = np.stack([u, 2*v, 1e-3*np.sin(4*u)], -1)

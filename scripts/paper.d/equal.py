@@ -10,9 +10,10 @@ for which the bending energy is the same:
     positions  x, y, z filtered as --scale does
 
 Prints a line for S and way: S, way, its parameter, bending energy over that of A, mean and largest
-distance from A in percent of sqrt(area), integral of |grad H|^2 over that of A, pairs of faces that
-cross less those of A, folded cells near the corners, Poisson solves of lh2grid.  The surfaces go to
-OUT-S.lhg in this order; a way that does not reach the bending energy has no line, and A in its place."""
+distance from A in percent of sqrt(area), integral of |grad H|^2 over that of A, without 2 and without 8
+rings of nodes beside the border, pairs of faces that cross less those of A, folded cells near the
+corners, Poisson solves of lh2grid.  The surfaces go to OUT-S.lhg in this order; a way that does not
+reach the bending energy has no line, and A in its place."""
 import re
 import sys
 
@@ -30,12 +31,15 @@ class Case(ways.Ways):
 
     def __init__(self, path, lh, work):
         super().__init__(path, lh, work)
-        self.bent, self.rough = surface.bending(self.p, self.T), surface.roughness(self.p, self.T)
+        self.bent, self.rough = surface.bending(self.p, self.T), self.roughness(self.p)
         self.foot, self.area = surface.Foot(self.p), surface.curvature(self.p, self.T)[1]
         self.crossed = self.crossings(path)
 
     def bending(self, p):
         return surface.bending(p, self.T)/self.bent
+
+    def roughness(self, p):
+        return np.array([surface.roughness(p, self.T, rings) for rings in (surface.RINGS, surface.WIDE)])
 
     def crossings(self, path):
         out = ways.run('lhdiff', '--no-hausdorff', path, path)
@@ -44,9 +48,9 @@ class Case(ways.Ways):
     def line(self, s, way, parameter, p):
         surface.write(self.work + '-one.lhg', [p], self.T)
         apart = self.foot.distance(p)[1:-1, 1:-1]/self.root*100
-        print('%g %s %.4g %.4f %.5f %.4f %.5f %d %d %s' % (
+        print('%g %s %.4g %.4f %.5f %.4f %.5f %.5f %d %d %s' % (
             s, way, parameter, self.bending(p), (apart*self.area).sum()/self.area.sum(), apart.max(),
-            surface.roughness(p, self.T)/self.rough, self.crossings(self.work + '-one.lhg') - self.crossed,
+            *(self.roughness(p)/self.rough), self.crossings(self.work + '-one.lhg') - self.crossed,
             surface.folded(p), self.solves), flush=True)
 
 

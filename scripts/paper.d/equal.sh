@@ -20,12 +20,14 @@ ratios() {
 	awk -v role="$1" '
 		function ratio(name, a, b) { print role, s[i], name, (a > 0 && b > 0 ? a/b : "-") }
 		$2 == "scale" { s[++n] = $1; print role, $1, "bending", 100*$4; print role, $1, "largest", $6
-		                print role, $1, "crossings", $8; print role, $1, "folded", $9; print role, $1, "solves", $10 }
-		{ mean[$1,$2] = $5; rough[$1,$2] = $7 }
+		                print role, $1, "crossings", $9; print role, $1, "folded", $10; print role, $1, "solves", $11 }
+		{ mean[$1,$2] = $5; rough[$1,$2] = $7; inner[$1,$2] = $8 }
 		END { for (i = 1; i <= n; i++) {
 			print role, s[i], "mean", mean[s[i],"scale"]
 			ratio("far-cotangent", mean[s[i],"scale"], mean[s[i],"cotangent"])
 			ratio("rough-cotangent", rough[s[i],"scale"], rough[s[i],"cotangent"])
+			ratio("inner-cotangent", inner[s[i],"scale"], inner[s[i],"cotangent"])
+			ratio("inner-positions", inner[s[i],"scale"], inner[s[i],"positions"])
 			ratio("far-positions", mean[s[i],"scale"], mean[s[i],"positions"])
 			ratio("rough-positions", rough[s[i],"scale"], rough[s[i],"positions"])
 			ratio("bound-cotangent", mean[s[i],"bound"], mean[s[i],"cotangent"])
@@ -113,16 +115,17 @@ say '## Scales at equal bending energy' '' \
 	"\`lhfft --scale=L\`, L = 2 pi s, s = $spread percent of sqrt(area), beside three other ways whose parameters are such that" \
 	'the bending energy is the same: `lhfft -K`; an implicit step of cotangent smoothing of x, y, z; x, y, z filtered as --scale' \
 	'does (scripts/paper.d/equal.py). Distance is that of each node from the original surface; the integral of |grad H|^2 and' \
-	'the bending energy leave out the border and two rings of nodes beside it.' ''
+	'the bending energy leave out the border and two rings of nodes beside it, where all ways keep to the same ragged curve;' 'inner grad H leaves out eight.' ''
 for role in $pictured; do
 	beside "$role"
 done
-of='for each s'
 say "\`--scale\`: bending energy, percent of the original's; mean and largest distance, percent of sqrt(area); pairs of crossing faces" \
-	"more than the original's; folded cells near the corners; solves, each $of:" ''
+	"more than the original's; folded cells near the corners; solves, for each s:" ''
 ratio_table 'bending | | | mean | | | largest | | | crossings | | | folded | | | solves | |' bending mean largest crossings folded solves
-say "\`--scale\` over cotangent smoothing, mean distance and integral of |grad H|^2; over filtered positions, the same:" ''
-ratio_table 'distance | | | grad H | | | distance | | | grad H | |' far-cotangent rough-cotangent far-positions rough-positions
+say "\`--scale\` over cotangent smoothing, mean distance and integral of |grad H|^2:" ''
+ratio_table 'distance | | | grad H | | | inner grad H | |' far-cotangent rough-cotangent inner-cotangent
+say "\`--scale\` over filtered positions:" ''
+ratio_table 'distance | | | grad H | | | inner grad H | |' far-positions rough-positions inner-positions
 say "\`-K\` over cotangent smoothing (-: no K gives this bending energy):" ''
 ratio_table 'distance | | | grad H | |' bound-cotangent bound-rough
 within far-cotangent .8 .55 'at equal bending energy --scale moves the surface at most .8 times as far as cotangent smoothing, .55 in the median'

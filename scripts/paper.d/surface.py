@@ -7,7 +7,7 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..'))
 import lhg
 
-RINGS = 2               # rings of nodes beside the border that the integrals of H leave out
+RINGS, WIDE = 2, 8      # rings of nodes beside the border that the integrals of H leave out
 CORNER = 10             # cells from a corner where folded cells are counted
 FOOT_STEPS = 5          # Gauss-Newton steps to the nearest point
 
@@ -60,9 +60,9 @@ def bending(p, T):
     return (H**2*area)[inner, inner].sum()*np.prod(steps(p, T))
 
 
-def roughness(p, T):
+def roughness(p, T, rings):
     """The integral of |grad H|^2 over the area, which is that over the rectangle."""
-    H = curvature(p, T)[0][RINGS:-RINGS, RINGS:-RINGS]
+    H = curvature(p, T)[0][rings:-rings, rings:-rings]
     h, k = steps(p, T)
     return h*k*(((np.diff(H, axis=1)/h)**2).sum() + ((np.diff(H, axis=0)/k)**2).sum())
 
