@@ -1,4 +1,4 @@
-# Makefile - "make demo" installs the packages that the build needs, builds, and smooths a
+# Makefile - "make demo" installs the packages that the build needs, builds, and smooths a scan, or a
 # synthetic face; "make check" installs also those of the tests, builds, and runs every test.
 # Everything built lies in $(BUILD).
 #
@@ -126,10 +126,13 @@ $(BUILD)/lib/sparse/product.o: ALL_CFLAGS += -ffp-contract=fast
 # -O3, whatever CFLAGS say, because it vectorizes the inner loops of the surface method.
 $(addprefix $(BUILD)/lib/,surface/misfit.o surface/misfitapply.o poisson/transform.o): ALL_CFLAGS += -O3
 
+# The mesh of the demo: MESH=scan.ply, or a scan of a face if it is there.
+MESH := $(wildcard $(or $(LHGRID_MESHES),../shared/meshes)/good/face_man_scan_6k.off)
+
 demo:
 	scripts/deps
 	$(MAKE) all
-	PATH="$(CURDIR)/$(BUILD)/bin:$$PATH" sh examples/smooth.sh
+	PATH="$(CURDIR)/$(BUILD)/bin:$$PATH" sh examples/smooth.sh $(BUILD)/demo $(MESH)
 
 check:
 	scripts/deps --tests

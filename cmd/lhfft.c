@@ -40,8 +40,8 @@ static const char text[] =
 CMD_USAGE
 "Which: --scale for a surface at a scale; --relief against noise and texture, where edges must\n"
 "stay; -K --paper for the paper's figures; --low-pass, --keep, --energy to study the fields.\n"
-"-K leaves ripples and moves the surface 3 to 50 times as far as --scale does for as much\n"
-"smoothing (13 meshes).\n"
+"-K leaves ripples and moves the surface 4 to 40 times as far as --scale does for as much\n"
+"smoothing (12 meshes).\n"
 "The mean is never dropped.  In both bases sum |C|^2 = nodes sum f^2.  Cosines extend a field\n"
 "evenly across the border; exponentials extend it periodically, with a jump.  The harmonic\n"
 "function with the border values of log lambda is not filtered: it holds the corners, where\n"

@@ -8,7 +8,10 @@ load helper
 		sh "$e" "$tmp/demo" >"$tmp/said"
 		grep -q '^wrote ' "$tmp/said"
 	done
-	mesh2rect -q -n 8 "$tmp/demo/smooth.off" >/dev/null
+	mesh2rect -q -n 8 "$tmp/demo/smooth.ply" >/dev/null
+	mkmesh -q -n 500 tooth -o "$tmp/tooth.off"
+	sh examples/smooth.sh "$tmp/own" "$tmp/tooth.off"
+	[ "$(awk '/^element vertex/ { print $3; exit }' "$tmp/own/smooth.ply")" = "$(awk 'NR == 2 { print $1 }' "$tmp/tooth.off")" ]
 	[ -s "$tmp/demo/frame-10.off" ]
 }
 
