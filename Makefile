@@ -90,7 +90,8 @@ $(BUILD)/tests/test_memory: WRAP = $(WRAPPED:%=-Wl,--wrap=%)
 
 # Unit tests that use the random disks of tests/disks.c.
 DISKS    := $(BUILD)/tests/disks.o
-ONDISKS  := $(patsubst %,$(BUILD)/tests/test_%,subdivision intrinsic overlay intrinsicmap sampler vertexkey untangle)
+ONDISKS  := $(patsubst %,$(BUILD)/tests/test_%,subdivision intrinsic overlay intrinsicmap sampler vertexkey untangle \
+              traversal conformal)
 $(ONDISKS): $(DISKS)
 $(ONDISKS): WITH = $(DISKS)
 

@@ -5,6 +5,8 @@
 
 #include "../lib/map/conformal.h"
 #include "../lib/grid/lambdah.h"
+#include "../lib/map/corners.h"
+#include "disks.h"
 #include "synthdisk.h"
 
 /* The root mean square of H over the inner nodes of the grid of a catenoid, whose true H is 0.  The
@@ -49,11 +51,65 @@ H_is_of_second_order(void **state)
 	assert_true(rms_H(16000, 101) < rms_H(4000, 50)/3.5);
 }
 
+enum { NU = 33, NODES = NU*NU };
+
+static void
+grid_of(const Disk *d, const int vertex[4], Conformal *c)
+{
+	const ConformalOptions options = { .map = { 1e-2, 1, 300000 }, .surface = SAMPLER_SMOOTH, .polish = 12 };
+	SpdReport report;
+	int corner[4], at;
+
+	assert_int_equal(corners_given(d, vertex, corner, &at), 0);
+	assert_int_equal(conformal_grid(d, corner, (Chart){ NU, NU, 1, &CHART_RECTANGLE }, &options, c, &report), 0);
+}
+
+/* A disk with its vertices and faces in another order has the same grid, and its vertices the same
+ * places, to the last bit. */
+static void
+numbering_does_not_matter(void **state)
+{
+	uint64_t seed;
+	int done = 0, i, k;
+
+	(void)state;
+	for (seed = 300; done < 8; seed++) {
+		char tag[DISKS_TAG];
+		Disk d, other, both;
+		Conformal a, b;
+		int *number, corner[4], vertex[2][4];
+
+		if (disks_random(seed, DISKS_NICE, &d, tag))
+			continue;
+		number = malloc(d.m.nv*sizeof *number);
+		assert_int_equal(disks_renumbered(&d, seed, &other, number), 0);
+		assert_int_equal(disks_reordered(&other, seed, &both), 0);
+		assert_true(corners_auto(&d, corner) >= 0);
+		for (k = 0; k < 4; k++)
+			vertex[1][k] = number[vertex[0][k] = d.loop[corner[k]]];
+		grid_of(&d, vertex[0], &a);
+		grid_of(&both, vertex[1], &b);
+		assert_true(a.grid.g.T == b.grid.g.T);
+		for (k = 0; k < 3; k++)
+			assert_memory_equal(a.grid.phi[k], b.grid.phi[k], NODES*sizeof(double));
+		for (i = 0; i < d.m.nv; i++)
+			assert_true(a.u[i] == b.u[number[i]] && a.v[i] == b.v[number[i]]);
+		conformal_free(&a);
+		conformal_free(&b);
+		disk_free(&d);
+		disk_free(&other);
+		disk_free(&both);
+		free(number);
+		done++;
+	}
+}
+
 int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(H_is_of_second_order),
+		cmocka_unit_test(numbering_does_not_matter),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -6,8 +6,10 @@
 #include "../grid/gridloss.h"
 #include "../intrinsic/overlay.h"
 #include "../mesh/boundarysplit.h"
+#include "../mesh/traversal.h"
 #include "conformal.h"
 #include "intrinsicmap.h"
+#include "vertexkey.h"
 
 /* A grid from linear elements is not polished if its mean modulus of the Beltrami coefficient is at
  * most this: the error of H then comes from the roughness of (u,v), which polishing does not
@@ -70,7 +72,6 @@ sample_map(const Sampling *m, const int corner[4], Chart g, Conformal *c)
 	e = m->options->keep > 0 ? sample_enough(m, g, c) : sample_and_polish(m, g, 0, c, &less);
 	if (e || untangle(m->d, corner, c->grid.g.T, c->u, c->v, &c->uv))
 		return SPD_ENOMEM;
-	c->uv.turned += boundary_split_turned(m->d, c->u, c->v);
 	return 0;
 }
 
@@ -195,31 +196,79 @@ map_and_sample(const Disk *d, const int corner[4], Chart g, const ConformalOptio
 	return e;
 }
 
+/* The disk d near the origin, numbered from one of its corners on; offset, to be added again. */
+static int
+normalize(const Disk *d, const int corner[4], Traversal *t, int to[4], double offset[3])
+{
+	int vertex[4], k, start;
+	size_t i;
+
+	for (k = 0; k < 4; k++)
+		vertex[k] = d->loop[corner[k]];
+	start = corner[vertex_first(&d->m, vertex)];
+	if (traversal_init(t, d, start))
+		return SPD_ENOMEM;
+	for (k = 0; k < 4; k++)
+		to[k] = (corner[k] - start + d->nb)%d->nb;
+	find_offset(&d->m, offset);
+	for (i = 0; i < 3*(size_t)d->m.nv; i++)
+		t->d.m.xyz[i] -= offset[i%3];
+	return 0;
+}
+
+/* Puts x in the order in which the given disk has its vertices. */
+static int
+restore_order(const Traversal *t, double **x)
+{
+	double *given = malloc(t->d.m.nv*sizeof *given);
+	int i;
+
+	if (!given)
+		return SPD_ENOMEM;
+	for (i = 0; i < t->d.m.nv; i++)
+		given[i] = (*x)[t->number[i]];
+	free(*x);
+	*x = given;
+	return 0;
+}
+
+/* Moves the grid back, and the numbers at the vertices to where d has them. */
+static int
+restore(const Disk *d, const Traversal *t, const double offset[3], Conformal *c)
+{
+	size_t nodes = (size_t)c->grid.g.nu*c->grid.g.nv, i;
+	int k;
+
+	for (k = 0; k < 3; k++)
+		for (i = 0; i < nodes; i++)
+			c->grid.phi[k][i] += offset[k];
+	if (restore_order(t, &c->u) || restore_order(t, &c->v))
+		return SPD_ENOMEM;
+	c->uv.turned += boundary_split_turned(d, c->u, c->v);
+	return 0;
+}
+
 /* Points are added in the middle of edges; far from the origin rounding would bend the surface
- * there.  So it is mapped near the origin. */
+ * there.  So it is mapped near the origin.  Where several choices are equally good, that of lower
+ * number is made, and sums are rounded in the order of the numbers; so the vertices and faces are
+ * first numbered in a way that does not depend on the numbers in d. */
 int
 conformal_grid(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options,
 	Conformal *c, SpdReport *report)
 {
-	Disk near = *d;
+	Traversal near;
 	double offset[3];
-	size_t i;
-	int k, e = SPD_ENOMEM;
+	int to[4], e = normalize(d, corner, &near, to, offset);
 
 	memset(c, 0, sizeof *c);
-	find_offset(&d->m, offset);
-	near.m.xyz = malloc(3*(size_t)d->m.nv*sizeof *near.m.xyz);
+	if (e)
+		return e;
 	c->u = malloc(d->m.nv*sizeof *c->u);
 	c->v = malloc(d->m.nv*sizeof *c->v);
-	if (near.m.xyz && c->u && c->v) {
-		for (i = 0; i < 3*(size_t)d->m.nv; i++)
-			near.m.xyz[i] = d->m.xyz[i] - offset[i%3];
-		e = map_and_sample(&near, corner, g, options, c, report);
-	}
-	for (k = 0; !e && k < 3; k++)
-		for (i = 0; i < (size_t)c->grid.g.nu*c->grid.g.nv; i++)
-			c->grid.phi[k][i] += offset[k];
-	free(near.m.xyz);
+	e = c->u && c->v ? map_and_sample(&near.d, to, g, options, c, report) : SPD_ENOMEM;
+	if (!e)
+		e = restore(d, &near, offset, c);
+	traversal_free(&near);
 	if (e)
 		conformal_free(c);
 	return e;

@@ -10,27 +10,45 @@ static const double WAVES = 1e4;        /* waves in a distance of 2 pi sqrt(area
 static const double EQUAL = 1e-9;       /* relative difference of two sums that differ by rounding
                                          * only */
 
-/* The corners in an order that depends on the surface alone.  The first is the one with the largest
- * sum of distances from all vertices; then the loop is followed towards that of its two neighbours
- * for which this sum is larger.  (The four corners alone do not tell which is which if they form a
- * rectangle.) */
-static void
-order_corners(const Mesh *m, const int vertex[4], int order[4])
+/* The sum of the distances of all vertices from vertex i. */
+static double
+sum_of_distances(const Mesh *m, int i)
 {
-	double far[4], x[3];
-	int i, k, first = 0, step;
+	double sum = 0, x[3];
+	int j;
+
+	for (j = 0; j < m->nv; j++) {
+		sub3(&m->xyz[3*(size_t)j], &m->xyz[3*(size_t)i], x);
+		sum += norm3(x);
+	}
+	return sum;
+}
+
+/* The index of the first corner, and the step to the next in an order that depends on the surface
+ * alone.  The first is the one with the largest sum of distances from all vertices; then the loop is
+ * followed towards that of its two neighbours for which this sum is larger.  (The four corners alone
+ * do not tell which is which if they form a rectangle.) */
+static int
+first_corner(const Mesh *m, const int vertex[4], int *step)
+{
+	double far[4];
+	int k, first = 0;
 
 	for (k = 0; k < 4; k++)
-		for (far[k] = 0, i = 0; i < m->nv; i++) {
-			sub3(&m->xyz[3*(size_t)i], &m->xyz[3*(size_t)vertex[k]], x);
-			far[k] += norm3(x);
-		}
+		far[k] = sum_of_distances(m, vertex[k]);
 	for (k = 1; k < 4; k++)
 		if (far[k] > far[first]*(1 + EQUAL))
 			first = k;
-	step = far[(first+3)%4] > far[(first+1)%4]*(1 + EQUAL) ? 3 : 1;
-	for (k = 0; k < 4; k++)
-		order[k] = vertex[(first + step*k)%4];
+	*step = far[(first+3)%4] > far[(first+1)%4]*(1 + EQUAL) ? 3 : 1;
+	return first;
+}
+
+int
+vertex_first(const Mesh *m, const int vertex[4])
+{
+	int step;
+
+	return first_corner(m, vertex, &step);
 }
 
 double *
@@ -38,9 +56,10 @@ vertex_keys(const Mesh *m, const int vertex[4])
 {
 	static const double share[4] = { 1, 1.0103, 1.0237, 1.0391 };
 	double *key = malloc(m->nv*sizeof *key), wave = WAVES/sqrt(mesh_area(m)), x[3];
-	int i, k, corner[4];
+	int i, k, step, first = first_corner(m, vertex, &step), corner[4];
 
-	order_corners(m, vertex, corner);
+	for (k = 0; k < 4; k++)
+		corner[k] = vertex[(first + step*k)%4];
 	for (i = 0; key && i < m->nv; i++)
 		for (key[i] = 0, k = 0; k < 4; k++) {
 			sub3(&m->xyz[3*(size_t)i], &m->xyz[3*(size_t)corner[k]], x);
