@@ -22,6 +22,8 @@ static const char text[] =
 "      --detail=keep|drop|smooth  offsets in full, so that detail finer than the grid and\n"
 "                     limbs that it lost stay; none; or, for grids of lhfft, the less the\n"
 "                     shorter they are against its shortest waves (metadatum waves) [keep]\n"
+"      --filled=drop|keep  faces of MESH that mesh2disk marked as filling holes are left out, and\n"
+"                     the vertices that only they have; or kept [drop]\n"
 "  -o, --output=FILE  write FILE, in the format that its name ends in, {ends}\n"
 "                     [{stdout} to stdout].  For a stream of several grids the name must have a\n"
 "                     number, as in frame-%03d.off, which counts from 1.  Each file is written\n"
@@ -35,6 +37,7 @@ static const char text[] =
 static const struct option longopt[] = {
 	{ "on",     required_argument, NULL, 'O' },
 	{ "detail", required_argument, NULL, 'd' },
+	{ "filled", required_argument, NULL, 'f' },
 	CMD_LONGOPT
 };
 
@@ -93,7 +96,7 @@ main(int argc, char *argv[])
 	const char *name, *after, *on = NULL;
 	OnMesh mesh = { 0 };
 	const MeshFormat *format;
-	int many, width, opt, i = 0, offsets = -1;
+	int many, width, opt, i = 0, offsets = -1, filled = -1;
 	size_t before, n;
 	CmdInput in;
 	Lhg g;
@@ -103,9 +106,10 @@ main(int argc, char *argv[])
 		switch (opt) {
 		case 'O': on = optarg; break;
 		case 'd': offsets = opt_word(optarg, "keep\0drop\0smooth\0", "detail"); break;
+		case 'f': filled = opt_word(optarg, "drop\0keep\0", "filled"); break;
 		}
-	if (offsets >= 0 && !on)
-		misuse("--detail needs --on");
+	if ((offsets >= 0 || filled >= 0) && !on)
+		misuse("--%s needs --on", offsets >= 0 ? "detail" : "filled");
 	cmd_operands(argc, argv, 0, 1);
 	name = cmd_output();
 	if (!(format = name ? meshformat_of(name) : meshformat(0)))
@@ -119,7 +123,7 @@ main(int argc, char *argv[])
 		if (!many && (g.frames > 1 || in.s.ahead))
 			die("%s: holds several grids, one for each file: need -o NAME-%%03d.off", in.name);
 		if (on && i == 0)
-			gridfile_read_mesh(on, offsets, &mesh); /* once mesh2rect has written it */
+			gridfile_read_mesh(on, offsets, filled > 0, &mesh); /* once mesh2rect has written it */
 		gridfile_bytes(&in, &g, &mesh, format, &bytes, &n);
 		cmd_write_bytes(file_name(name, ++i, path, sizeof path), bytes, n);
 		free(bytes);

@@ -74,6 +74,30 @@ head_of() { sed -n '1,/^end_header/p' "$1" | tr -d '\0'; }
 	try 2 '--json needs --check' "$tmp/face.off" mesh2disk --json
 }
 
+@test "the result comes back to the original mesh: filled faces go, vertices have their numbers" {
+	mkmesh -n 2000 cap -o "$tmp/cap.off"
+	awk 'NR == 2 { nv = $1 }                        # a hole of all faces near the middle
+		NR > 2 && NR <= nv + 2 { near[NR-3] = $1*$1 + $2*$2 < 0.03 }
+		NR > nv + 2 && near[$2] + near[$3] + near[$4] { next } { line[++n] = $0 }
+		END { line[2] = nv " " n - 2 - nv " 0"; for (i = 1; i <= n; i++) print line[i] }' "$tmp/cap.off" >"$tmp/hole.off"
+	mesh2disk -q "$tmp/hole.off" -o "$tmp/disk.ply"
+	[ "$(mesh2disk --check --json "$tmp/hole.off" | grep -o '"holes_filled": [0-9]*')" = '"holes_filled": 1' ]
+	mesh2rect -q -n 32 --uv="$tmp/uv.ply" "$tmp/disk.ply" -o "$tmp/phi"
+	head_of "$tmp/uv.ply" | grep -q '^property int source$'
+	head_of "$tmp/uv.ply" | grep -q '^property uchar filled$'
+	try 0 'faces that fill holes left out' "$tmp/phi" grid2mesh --on="$tmp/uv.ply" -o "$tmp/back.off"
+	mesh2disk -q --holes=keep "$tmp/hole.off" -o "$tmp/clean.off"   # as it was, without unused vertices
+	[ "$(sed -n 2p "$tmp/back.off")" = "$(sed -n 2p "$tmp/clean.off")" ]
+	below "$(error_of "$tmp/back.off" "$tmp/clean.off" max_rel)" 1e-6
+	try 0 '' "$tmp/phi" grid2mesh --on="$tmp/uv.ply" --filled=keep -o "$tmp/kept.ply"
+	[ "$(head_of "$tmp/kept.ply" | grep element)" = "$(head_of "$tmp/disk.ply" | grep element)" ]
+	head_of "$tmp/kept.ply" | grep -q '^property int source$'
+	try 0 'faces that fill holes left out' "$tmp/phi" grid2mesh --on="$tmp/uv.ply" --detail=drop -o "$tmp/back.off"
+	try 0 'x.obj: only PLY marks the faces' "$tmp/disk.ply" mesh2rect -n 8 --uv="$tmp/x.obj" -o "$tmp/phi"
+	try 2 '--filled needs --on' "$tmp/phi" grid2mesh --filled=keep
+	try 2 'filled=no: need drop or keep' "$tmp/phi" grid2mesh --filled=no
+}
+
 @test "wrong options exit 2" {
 	try 2 'weld=-1: need a number in \[0,'        /dev/null mesh2disk --weld=-1
 	try 2 'need a whole number in \[1,'           /dev/null mesh2disk --components=0

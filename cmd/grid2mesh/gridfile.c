@@ -8,20 +8,26 @@
 #include "../../lib/grid/gridmesh.h"
 #include "../../lib/grid/gridpoint.h"
 #include "../../lib/mesh/channel.h"
+#include "../../lib/mesh/filled.h"
 #include "../../lib/meshfile/meshfile.h"
 #include "../shared/chartof.h"
 #include "../shared/load.h"
 #include "gridfile.h"
 
 void
-gridfile_read_mesh(const char *path, int offsets, OnMesh *on)
+gridfile_read_mesh(const char *path, int offsets, int keep_filled, OnMesh *on)
 {
 	const double *uv;
-	int p, none = 0;
+	int p, none = 0, dropped;
 
 	on->name = cmd_name_of(path);
 	on->offsets = offsets < 0 ? OFFSETS_KEEP : offsets;
 	load_soup(path, 1, &on->s);
+	if ((dropped = keep_filled ? 0 : filled_drop(&on->s)) < 0)
+		die("%s: %s", on->name, on->s.err);
+	if (dropped)
+		note("%s: %d face%s that fill%s holes left out (--filled=keep keeps them)", on->name, dropped,
+		    dropped == 1 ? "" : "s", dropped == 1 ? "s" : "");
 	uv = channel_values(&on->s.channels, MESH_UV);
 	for (p = 0; p < on->s.nv; p++)
 		none += uv[2*(size_t)p] == -1 && uv[2*(size_t)p+1] == -1;
@@ -115,6 +121,20 @@ offset_vertices(const OnMesh *on, Chart g, const double *const phi[3], const dou
 	detail_free(&d);
 }
 
+/* Copies the numbers that the vertices have in another file, if they have them. */
+static void
+copy_source(const OnMesh *on, Soup *s)
+{
+	const double *from = channel_values(&on->s.channels, MESH_SOURCE);
+	double *to;
+
+	if (!from)
+		return;
+	if (!(to = channel_add(&s->channels, MESH_SOURCE, 1, (size_t)s->nv)))
+		die("%s: no memory for the numbers of %d vertices", on->name, s->nv);
+	memcpy(to, from, (size_t)s->nv*sizeof *to);
+}
+
 /* Sets s to the mesh of `on`, with its vertices moved to their (u,v) on the grid. */
 static void
 place_mesh(const CmdInput *in, const Lhg *g, const double *const phi[3], const OnMesh *on, Soup *s)
@@ -132,6 +152,7 @@ place_mesh(const CmdInput *in, const Lhg *g, const double *const phi[3], const O
 	s->channels = (Channels){ 0 };
 	if (!(uv = channel_add(&s->channels, MESH_UV, 2, (size_t)s->nv)))
 		die("%s: no memory for the (u,v) of %d vertices", on->name, s->nv);
+	copy_source(on, s);
 	if (gridpoint_uv(chart, on->s.T, s->nv, was, uv, &at))
 		die("%s: vertex %d has (u,v) = (%g,%g), outside [0,1] x [0,%g]", on->name, at,
 		    was[2*(size_t)at], was[2*(size_t)at+1], on->s.T > 0 ? on->s.T : g->T);

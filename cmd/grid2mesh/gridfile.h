@@ -17,8 +17,9 @@ typedef struct OnMesh {
 
 /* Reads the mesh of --on with its (u,v), or dies.  offsets is an OFFSETS_ value, or -1 if --detail is
  * not given.  Prints a note if vertices have no (u,v), and if --detail is given, but there are no
- * offsets. */
-void gridfile_read_mesh(const char *path, int offsets, OnMesh *on);
+ * offsets.  The faces that fill holes are dropped, with the vertices that only they have, and this is
+ * noted, unless keep_filled is not 0. */
+void gridfile_read_mesh(const char *path, int offsets, int keep_filled, OnMesh *on);
 
 /* Makes the bytes of a mesh file of that format, or dies.  Without a mesh in `on`, the mesh has the
  * nodes of the grid and two triangles for each cell.  Otherwise it has the faces of that mesh, with

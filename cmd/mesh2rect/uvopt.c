@@ -57,6 +57,8 @@ uv_write(const char *file, Soup *s, const Disk *d, const double *u, const double
 	if (disk_uv_to_soup(d, u, v, g.T, s))
 		die("%s: %s", file, s->err);
 	add_offsets(file, s, g, phi);
+	if (s->filled && strcmp(meshformat_of(file)->name, "PLY") != 0)
+		note("%s: only PLY marks the faces that fill holes: grid2mesh --on will keep them", file);
 	if (meshfile_write(s, meshformat_of(file), &bytes, &n))
 		die("%s: no memory for a mesh of %d vertices", file, s->nv);
 	cmd_write_bytes(file, bytes, n);
