@@ -8,6 +8,7 @@
 #include "../lib/meshfile/meshfile.h"
 #include "mesh2disk/check.h"
 #include "mesh2disk/notes.h"
+#include "mesh2disk/points.h"
 #include "shared/claim.h"
 #include "shared/cmd.h"
 #include "shared/formats.h"
@@ -27,6 +28,7 @@ static const char text[] =
 "      --check        write no mesh, but a report of all that is wrong with MESH, and of what\n"
 "                     the options would do about it\n"
 "      --json         the report of --check as one JSON object\n"
+"      --points       make faces of points without faces (advancing front), and say of what radius\n"
 "      --weld=DIST|auto|none  boundary vertices within DIST become one; auto: within a\n"
 "                     millionth of the diagonal of the bounding box [0: at equal positions]\n"
 "      --components=largest|N|all  keep the largest, or the N largest, by area [largest]\n"
@@ -42,9 +44,10 @@ CMD_USAGE
 "A map needs a long boundary: a cut from end to end serves, a small hole does not.  The vertices\n"
 "of a cut lie at one place: --weld=none keeps such a mesh as it is.\n";
 
-enum { WELD = 256, COMPONENTS, HOLES, MAX_HOLE, FILL, HANDLES, OPEN, CHECK, JSON };
+enum { WELD = 256, COMPONENTS, HOLES, MAX_HOLE, FILL, HANDLES, OPEN, CHECK, JSON, POINTS };
 
 static const struct option longopt[] = {
+	{ "points",     no_argument,       NULL, POINTS },
 	{ "weld",       required_argument, NULL, WELD },
 	{ "components", required_argument, NULL, COMPONENTS },
 	{ "holes",      required_argument, NULL, HOLES },
@@ -147,7 +150,7 @@ main(int argc, char *argv[])
 	static char usage[FORMATS_USAGE];
 	const MeshFormat *format = NULL;
 	MendOptions o = MEND_DEFAULTS;
-	int opt, json = 0, e;
+	int opt, json = 0, points = 0, e;
 	MendReport r;
 	const char *name;
 	char *remarks;
@@ -165,6 +168,7 @@ main(int argc, char *argv[])
 		case OPEN: opt_open(optarg, &o); break;
 		case CHECK: o.check = 1; break;
 		case JSON: json = 1; break;
+		case POINTS: points = 1; break;
 		}
 	cmd_operands(argc, argv, 0, 1);
 	if (json && !o.check)
@@ -175,6 +179,7 @@ main(int argc, char *argv[])
 	}
 	name = cmd_name_of(argv[optind]);
 	load_soup_loose(argv[optind], &s);
+	points_to_faces(name, points, &s);
 	load_range(name, &s);
 	claim(name, "the mending", s.nf, PER_FACE);
 	e = mend(&out, &s, &o, &r);

@@ -118,6 +118,20 @@ head_of() { sed -n '1,/^end_header/p' "$1" | tr -d '\0'; }
 	try 0 'the surface is closed' "$tmp/closed.ply" mesh2disk
 }
 
+@test "points without faces: refused, or joined" {
+	mkmesh -n 400 cap -o "$tmp/cap.off"
+	awk 'NR == 2 { n = $1; $2 = 0 } NR <= n + 2' "$tmp/cap.off" >"$tmp/points.off"
+	try 1 'points without faces: --points makes faces of them' "$tmp/points.off" mesh2disk
+	mesh2disk --points "$tmp/points.off" -o "$tmp/cap.ply" 2>"$tmp/err"
+	grep -Eq 'points joined by [0-9]+ faces, of radius 0\.[0-9]+ or less$' "$tmp/err"
+	mesh2rect -q -n 16 "$tmp/cap.ply" -o "$tmp/x"
+	mesh2rect -q -n 16 "$tmp/cap.off" -o "$tmp/y"
+	below "$(lhdiff --no-self-intersections "$tmp/cap.ply" "$tmp/cap.off" 2>/dev/null | awk '$1 == "hausdorff_rel" { print $2 }')" 0.02
+	try 0 'has faces: --points does nothing' "$tmp/cap.off" mesh2disk --points
+	printf 'OFF\n2 0 0\n0 0 0\n1 0 0\n' >"$tmp/points.off"
+	try 1 'cannot be joined to a surface' "$tmp/points.off" mesh2disk --points
+}
+
 @test "real files with faults: mended, or refused with the reason" {
 	[ -d "$meshes/bad" ] || skip "no test meshes: set LHGRID_MESHES"
 	local b="$meshes/bad" f
@@ -136,4 +150,21 @@ head_of() { sed -n '1,/^end_header/p' "$1" | tr -d '\0'; }
 	mesh2disk --check "$tmp/real.ply" | grep -q '^result: a disk'
 	try 1 'surface is one-sided'  "$b/moebius_quads.obj"   mesh2disk
 	try 1 'file ends in face'     "$b/truncated.ply"       mesh2disk
+}
+
+@test "scripts/verdicts says what became of each file of a folder" {
+	mkdir "$tmp/folder"
+	cp "$tmp/face.off" "$tmp/folder/a.off"
+	without_faces "$tmp/face.off" 300 300 >"$tmp/folder/b.off"
+	printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >"$tmp/folder/c.off"
+	head -c 1000 "$tmp/face.off" >"$tmp/folder/d.off"
+	run -0 scripts/verdicts "$tmp/folder"
+	[[ ${lines[0]} == "as it is  $tmp/folder/a.off: " ]]
+	[[ ${lines[1]} == "mended    $tmp/folder/b.off: 1 hole filled"* ]]
+	[[ ${lines[2]} == "closed    $tmp/folder/c.off: the surface is closed"* ]]
+	[[ ${lines[3]} == "refused   $tmp/folder/d.off: file ends in"* ]]
+	[[ "${lines[*]:4}" == "as it is: 1 closed: 1 mended: 1 refused: 1" ]]
+	run -0 scripts/verdicts -o --open=auto "$tmp/folder"
+	[[ ${lines[2]} == "mended    $tmp/folder/c.off: closed surface cut open"* ]]
+	run -2 scripts/verdicts
 }

@@ -195,9 +195,9 @@ checkdisk(Disk *d)
 	if (t.odd)
 		e = orient(d, &t);
 	if (!e && (e = check_pieces(&t)) == MESH_EDISK)
-		e = remedy_components(&t, d->m.xyz, e);
-	if (!e)
-		e = topology_loop(&t, &d->loop, &d->nb);
+		e = remedy_close(&t, d->m.xyz, remedy_components(&t, d->m.xyz, e));
+	else if (!e && (e = topology_loop(&t, &d->loop, &d->nb)) == MESH_EDISK)
+		e = remedy_close(&t, d->m.xyz, e);
 	d->twin = t.twin;
 	return e;
 }

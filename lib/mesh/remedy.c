@@ -5,6 +5,7 @@
 
 #include "../base/vec3.h"
 #include "fail.h"
+#include "nearpoints.h"
 #include "remedy.h"
 #include "repair.h"
 
@@ -69,6 +70,71 @@ remedy_components(const Topology *t, const double *xyz, int code)
 	free(up);
 	free(area);
 	return remedy(t->err, code, what);
+}
+
+/* The vertices on the boundary; list is [nv], on workspace of as many bytes. */
+static int
+boundary_vertices(const Topology *t, int *list, unsigned char *on)
+{
+	int i, v, n = 0;
+
+	memset(on, 0, (size_t)t->nv);
+	for (i = 0; i < 3*t->nf; i++)
+		if (t->twin[i] < 0)
+			on[topology_from(t, i)] = on[topology_to(t, i)] = 1;
+	for (v = 0; v < t->nv; v++)
+		if (on[v])
+			list[n++] = v;
+	return n;
+}
+
+static double
+diagonal(const double *xyz, int nv)
+{
+	double lo[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, hi[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL }, d[3];
+	int v, c;
+
+	for (v = 0; v < nv; v++)
+		for (c = 0; c < 3; c++) {
+			lo[c] = fmin(lo[c], xyz[3*(size_t)v + (size_t)c]);
+			hi[c] = fmax(hi[c], xyz[3*(size_t)v + (size_t)c]);
+		}
+	sub3(hi, lo, d);
+	return norm3(d);
+}
+
+static void
+unite(int v, int w, double distance, void *to)
+{
+	int *up = to;
+
+	(void)distance;
+	up[root(up, w)] = root(up, v);
+}
+
+int
+remedy_close(const Topology *t, const double *xyz, int code)
+{
+	int *up = malloc((size_t)t->nv*sizeof *up), *list = malloc((size_t)t->nv*sizeof *list), v, n, count = 0;
+	unsigned char *on = malloc((size_t)t->nv);
+	const double distance = 1e-6*diagonal(xyz, t->nv);
+	const size_t at = strlen(t->err);
+
+	if (up && list && on && distance > 0) {
+		for (v = 0; v < t->nv; v++)
+			up[v] = v;
+		n = boundary_vertices(t, list, on);
+		nearpoints(xyz, list, n, distance, unite, up);
+		for (v = 0; v < t->nv; v++)
+			count += up[v] != v;
+	}
+	if (count)
+		snprintf(t->err + at, MESH_ERRLEN - at,
+		    "; %d boundary vertices lie within %.2g of others: --weld=auto welds them", count, distance);
+	free(up);
+	free(list);
+	free(on);
+	return code;
 }
 
 int
