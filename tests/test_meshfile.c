@@ -78,6 +78,17 @@ off_rules(void **state)
 	reads("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n3 0 2 1 0.5 0.5 0.5 1\n", 3, "0 1 2/0 2 1");
 	reads("OFF\n4 2 0\n0 0\n0\n1 0 0\n0 1 0\n1 1 1\n4 0\n1\n\n2 3\n3\n2\n1\n0\n", 4, "0 1 2 3/2 1 0");
 	reads("OFF\n0 0 0\n", 0, "");
+	reads("OFF3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 3, "0 1 2");
+	reads("off\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 3, "0 1 2");
+	reads("off3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 3, "0 1 2");
+	reads("COFF3 1 0\n0 0 0 1 1 1 1\n1 0 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0 1 2\n", 3, "0 1 2");
+	reads("OFF\n3\n1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 3, "0 1 2");
+	reads("OFF\n# c\n3 # v\n\n1\n# c\n0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 3, "0 1 2");
+	reads("OFF\n3\n1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 3, "0 1 2");
+	reads("OFF\n3 1\n\n0 # e\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 3, "0 1 2");
+	refuses("OFF3x 1 0\n", MESH_EFORMAT, "not an OFF");
+	refuses("Off\n3 1 0\n", MESH_EFORMAT, "not an OFF");
+	refuses("OFF\n3", MESH_EFORMAT, "file ends in the header");
 	refuses("OFF", MESH_EFORMAT, "file ends in the header");
 	refuses("OFF\n3 1 0 7\n", MESH_EFORMAT, "'7' is not expected");
 	refuses("OFF\nx 1 0\n", MESH_EFORMAT, "'x' is not a number of vertices");
@@ -262,6 +273,25 @@ stl_rules(void **state)
 	memcpy(bin + 84 + 12 + 12, "\0\0\x80\x7f", 4);
 	assert_int_equal(parse(&s, bin, sizeof bin), MESH_EVALUE);
 	assert_non_null(strstr(s.err, "vertex 1"));
+}
+
+/* Text in UTF-16 or UTF-32, with and without a byte order mark, is named with the remedy. */
+static void
+utf16_text(void **state)
+{
+	static const char *const text[] = { "\xff\xfe" "v\0 \0" "1\0 \0", "\xfe\xff" "\0v\0 \0" "1",
+	    "O\0F\0F\0\n\0" "3", "\0O\0F\0F\0\n" };
+	const size_t n[] = { 10, 8, 9, 8 };
+	size_t i;
+	Soup s;
+
+	(void)state;
+	for (i = 0; i < 4; i++) {
+		assert_int_equal(parse(&s, text[i], n[i]), MESH_EFORMAT);
+		assert_non_null(strstr(s.err, "this is UTF-16 text (iconv"));
+	}
+	assert_int_equal(parse(&s, "\xff\xfe\0\0v\0\0\0", 8), MESH_EFORMAT);
+	assert_non_null(strstr(s.err, "this is UTF-32 text (iconv"));
 }
 
 static void
@@ -1021,7 +1051,7 @@ main(void)
 		cmocka_unit_test(ply_rules),
 		cmocka_unit_test(ply_line_ends),
 		cmocka_unit_test(stl_rules),
-		cmocka_unit_test(other_kinds),
+		cmocka_unit_test(utf16_text), cmocka_unit_test(other_kinds),
 		cmocka_unit_test(hostile_counts),
 		cmocka_unit_test(round_trip),
 		cmocka_unit_test(stl_holds_triangles),

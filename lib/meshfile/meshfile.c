@@ -6,12 +6,17 @@
 #include "meshpriv.h"
 #include "writepriv.h"
 
+#define UTF16 "UTF-16 text (iconv -f UTF-16 -t UTF-8 converts it)"
+
 /* Other formats that people may try, by their first bytes. */
 static const struct {
 	const char *magic;
 	size_t n;
 	const char *kind;
 } OTHER[] = {
+	{ "\xff\xfe\0\0", 4,        "UTF-32 text (iconv -f UTF-32 -t UTF-8 converts it)" },
+	{ "\xff\xfe", 2,             UTF16 },
+	{ "\xfe\xff", 2,             UTF16 },
 	{ "\xff\xff\xfe", 3,          "a FreeSurfer surface" },
 	{ "\xff\xff\xff", 3,          "a FreeSurfer curvature file" },
 	{ "#!ascii version of", 18,   "a FreeSurfer ASCII surface" },
@@ -40,6 +45,19 @@ contains(const MeshStart *m, const char *word)
 	return 0;
 }
 
+/* Whether it is UTF-16 text without a byte order mark, of which every second byte is 0. */
+static int
+is_utf16(const MeshStart *m)
+{
+	const size_t zero = m->n > 0 && m->p[0] != '\0';
+	size_t i;
+
+	for (i = 0; i < m->n && i < 32; i++)
+		if ((m->p[i] == '\0') != (i % 2 == zero) || (unsigned char)m->p[i] > 126)
+			return 0;
+	return i >= 8;
+}
+
 static const char *
 other_format(const MeshStart *m)
 {
@@ -48,6 +66,8 @@ other_format(const MeshStart *m)
 	for (i = 0; i < sizeof OTHER / sizeof *OTHER; i++)
 		if (m->n >= OTHER[i].n && memcmp(m->p, OTHER[i].magic, OTHER[i].n) == 0)
 			return OTHER[i].kind;
+	if (is_utf16(m))
+		return UTF16;
 	if (m->word.n > 0 && *m->word.s == '<')
 		return contains(m, "GIFTI") ? "a GIFTI file" :
 		    contains(m, "VTKFile") ? "a VTK XML file" : "an XML or HTML file";

@@ -11,11 +11,16 @@ typedef struct Off {
 	long long nv, nf;
 } Off;
 
-/* Whether t is [ST][C][N]OFF: texture, colour and normal add 2, 4 and 3 numbers to a vertex.  *extra
- * is their sum, or -1 if the keyword announces other dimensions than three (4 or n). */
-static int
+/* Whether t is the keyword [ST][C][N]OFF, or off: texture, colour and normal add 2, 4 and 3 numbers to a
+ * vertex.  *extra is their sum, or -1 if the keyword announces other dimensions than three (4 or n).
+ * Returns the length of the keyword, 0 if there is none.  The first count may follow without a blank,
+ * as in "OFF205 360 0" (ModelNet). */
+static size_t
 keyword(Token t, int *extra)
 {
+	const char *begin = t.s;
+	size_t i;
+
 	*extra = 0;
 	if (t.n > 2 && memcmp(t.s, "ST", 2) == 0)
 		t.s += 2, t.n -= 2, *extra += 2;
@@ -25,7 +30,12 @@ keyword(Token t, int *extra)
 		t.s++, t.n--, *extra += 3;
 	if (t.n > 1 && (*t.s == '4' || *t.s == 'n'))
 		t.s++, t.n--, *extra = -1;
-	return t.n == 3 && memcmp(t.s, "OFF", 3) == 0;
+	if (t.n < 3 || (memcmp(t.s, "OFF", 3) != 0 && (t.s > begin || memcmp(t.s, "off", 3) != 0)))
+		return 0;
+	for (i = 3; i < t.n; i++)
+		if (t.s[i] < '0' || t.s[i] > '9')
+			return 0;
+	return (size_t)(t.s - begin) + 3;
 }
 
 static int
@@ -37,23 +47,39 @@ bad(Off *o, const char *what, Token t)
 	    o->r->line, scan_show(t, show), what);
 }
 
+/* Reads the number of edges, and ignores it.  It may be missing; but a line of one whole number after the
+ * line of the faces is the number of edges. */
+static int
+edges(Off *o)
+{
+	const Reader here = *o->r;
+	long long ne;
+	Token t, u;
+
+	if (scan_word(o->r, &t)) {
+		if (!scan_int(t, &ne))
+			return bad(o, "a number of edges", t);
+		return scan_word(o->r, &t) ? bad(o, "expected after the three counts", t) : 0;
+	}
+	if (!scan_token(o->r, &t) || !scan_int(t, &ne) || scan_word(o->r, &u))
+		*o->r = here;
+	return 0;
+}
+
 static int
 counts(Off *o)
 {
 	Token t = { "", 0 };
-	long long ne;
 
 	if (!scan_token(o->r, &t))
 		return mesh_fail(o->r->s->err, MESH_EFORMAT, "file ends in the header");
 	if (!scan_int(t, &o->nv))
 		return bad(o, "a number of vertices", t);
-	if (!scan_word(o->r, &t) || !scan_int(t, &o->nf))
+	if (!scan_token(o->r, &t))
+		return mesh_fail(o->r->s->err, MESH_EFORMAT, "file ends in the header");
+	if (!scan_int(t, &o->nf))
 		return bad(o, "a number of faces", t);
-	if (scan_word(o->r, &t) && !scan_int(t, &ne))
-		return bad(o, "a number of edges", t);
-	if (scan_word(o->r, &t))
-		return bad(o, "expected after the three counts", t);
-	return 0;
+	return edges(o);
 }
 
 /* The number of numbers left on this line, or a negative code. */
@@ -242,7 +268,7 @@ off_recognise(const MeshStart *m)
 {
 	int extra;
 
-	return keyword(m->word, &extra) ? MESHSTART_LIKELY : MESHSTART_NO;
+	return keyword(m->word, &extra) > 0 ? MESHSTART_LIKELY : MESHSTART_NO;
 }
 
 int
@@ -254,7 +280,7 @@ off_read(Reader *r)
 
 	r->hash = 1;
 	scan_token(r, &t);
-	keyword(t, &o.extra);
+	r->p = t.s + keyword(t, &o.extra);
 	if (o.extra < 0)
 		return mesh_fail(r->s->err, MESH_EFORMAT, "only OFF of three dimensions is read");
 	here = r->p;
