@@ -21,9 +21,10 @@ static const char text[] =
 "usage: mesh2rect [OPTIONS] [MESH] >grid.lhg\n"
 "Maps a triangle mesh conformally onto the rectangle [0,1] x [0,T] and samples it there on\n"
 "a grid.  The mesh is a topological disk, in one piece with one boundary and no handle, and\n"
-"its triangles have areas.  MESH is {formats}, recognised by its content,\n"
-"also gzipped; - or nothing: stdin.  Writes channels x y z, and metadata vertices faces\n"
-"corners certificate solved turned overlaid polished area kept farthest, and like with --like.\n"
+"its triangles have areas.  MESH (none or -: stdin), also gzipped, is by its content\n"
+"{formats}.\n"
+"Writes channels x y z, and metadata vertices faces corners certificate solved turned overlaid\n"
+"polished area kept farthest, like with --like, space c_ras unit source if MESH has them.\n"
 "  -n, --cells=N|NxM  cells along u, or along u and v, 4..32767 each [256]\n"
 "      --cells=auto   the fewest of 32 48 64 96 128 .. that keep 99 % of the area of the mesh\n"
 "      --max-cells=N  at most N cells along u with --cells=auto, 4..32767 [1024]\n"
@@ -59,8 +60,7 @@ CMD_USAGE
 "With --split of 1 or more, on smooth surfaces and with a grid as fine as the mesh, the error\n"
 "of H is of second order in the mesh size; a mesh of more than a quarter of --max-vertices\n"
 "is not split, and the order is one.\n"
-"With --surface=facets H does not converge: it is concentrated on the edges.  -v reports the\n"
-"result.\n"
+"With --surface=facets H does not converge: it is concentrated on the edges.\n"
 "The curves of --like are smoothed (about 8 waves round) and scaled to one size.  Their distance\n"
 "after the fit, root mean square in units of the root mean square distance from their centre,\n"
 "is the metadatum like: 0 for equal boundaries.  Of fits within 25 % of the best, the one that\n"
@@ -200,6 +200,7 @@ main(int argc, char *argv[])
 	int opt, corner[4], flip = 0, reversed = 0;
 	double apart, most_lost = 0.5;
 	Conformal c;
+	char *facts;
 	Soup s;
 	Disk d;
 	Lhg out;
@@ -229,6 +230,8 @@ main(int argc, char *argv[])
 	cmd_binary_output();
 	load_soup_loose(argv[optind], &s);
 	load_disk(cmd_name_of(argv[optind]), &s, &d);
+	facts = s.facts;
+	s.facts = NULL;
 	if (!uv)
 		soup_free(&s);
 	if (flip)
@@ -240,6 +243,7 @@ main(int argc, char *argv[])
 
 	begin_output(&out, &c.grid);
 	quality_meta(&out, &d, corner, apart, &c);
+	quality_facts(&out, facts);
 	loss_report(&out, cmd_name_of(argv[optind]), most_lost, &d, &c);
 	quality_notes(cmd_name_of(argv[optind]), uv, &d, &options, &c);
 	if (uv) {
@@ -248,6 +252,7 @@ main(int argc, char *argv[])
 	}
 	cmd_write(&out);
 
+	free(facts);
 	lhg_free(&out);
 	conformal_free(&c);
 	disk_free(&d);

@@ -1,4 +1,5 @@
 /* quality.c - reports the quality of a map: metadata, details, notes. */
+#include "../../lib/meshfile/facts.h"
 #include "../shared/cmd.h"
 #include "quality.h"
 
@@ -18,6 +19,15 @@ quality_meta(Lhg *out, const Disk *d, const int corner[4], double apart, const C
 	cmd_meta(out, "turned", "%d", c->uv.turned);
 	cmd_meta(out, "overlaid", "%d", c->overlaid);
 	cmd_meta(out, "polished", "%d", c->polished);
+}
+
+void
+quality_facts(Lhg *out, const char *facts)
+{
+	char key[FACT_KEY], value[FACT_VALUE];
+
+	while ((facts = fact_next(facts, key, value)))
+		cmd_meta(out, key, "%s", value);
 }
 
 /* Notes a missed tolerance.  With tolerance 0 splitting goes on to --max-vertices, and with 1 it is

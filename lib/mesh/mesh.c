@@ -13,8 +13,10 @@ soup_free(Soup *s)
 	free(s->idx);
 	free(s->filled);
 	channels_free(&s->channels);
+	free(s->facts);
 	s->xyz = NULL;
 	s->filled = NULL;
+	s->facts = NULL;
 	s->first = s->idx = NULL;
 	s->nv = s->nf = 0;
 }

@@ -53,6 +53,8 @@ typedef struct Soup {
 	unsigned char *filled;  /* [nf] 1: the face fills a hole; NULL: not known */
 	const char *remarks;    /* lines for comments of the file that is written, or NULL; not freed
 	                         * with the soup */
+	char   *facts;          /* what the file says of its coordinates: a line "key value\n" for each
+	                         * fact, printable ASCII (lib/meshfile/facts.h); NULL: nothing */
 } Soup;
 
 typedef struct Mesh {

@@ -17,9 +17,9 @@ static const struct {
 	{ "\xff\xfe\0\0", 4,        "UTF-32 text (iconv -f UTF-32 -t UTF-8 converts it)" },
 	{ "\xff\xfe", 2,             UTF16 },
 	{ "\xfe\xff", 2,             UTF16 },
-	{ "\xff\xff\xfe", 3,          "a FreeSurfer surface" },
-	{ "\xff\xff\xff", 3,          "a FreeSurfer curvature file" },
-	{ "#!ascii version of", 18,   "a FreeSurfer ASCII surface" },
+	{ "\xff\xff\xff\xff", 4,      "a FreeSurfer patch" },
+	{ "\xff\xff\xff", 3,          "a FreeSurfer curvature file or surface of quadrangles" },
+	{ "\xff\xff\xfd", 3,          "a FreeSurfer surface of quadrangles" },
 	{ "# vtk DataFile", 14,       "a legacy VTK file" },
 	{ "MATLAB 5.0 MAT-file", 19,  "a MATLAB file" },
 	{ "\x89HDF", 4,               "an HDF5 file" },
@@ -71,7 +71,7 @@ other_format(const MeshStart *m)
 	if (m->word.n > 0 && *m->word.s == '<')
 		return contains(m, "GIFTI") ? "a GIFTI file" :
 		    contains(m, "VTKFile") ? "a VTK XML file" : "an XML or HTML file";
-	return scan_is(m->word, "Vertex") ? "a Hoppe .m mesh" : NULL;
+	return NULL;
 }
 
 static int

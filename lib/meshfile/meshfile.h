@@ -19,6 +19,10 @@
  * PLY  ascii, binary_little_endian, binary_big_endian; any properties and extra
  *      elements; faces as vertex_indices or vertex_index lists, or tristrips
  * STL  ASCII and binary; every triangle has three vertices of its own
+ * XYZ  a point on each line, x y z; more numbers are skipped; no faces
+ * MNI OBJ     polygons, ASCII
+ * Hoppe M     lines Vertex and Face; attributes are skipped
+ * FreeSurfer  surfaces of triangles, binary and ASCII; the volume geometry becomes facts (facts.h)
  *
  * most  in  the most bytes that gzip data may unpack to
  *

@@ -14,7 +14,12 @@ static const MeshFormat table[] = {
 	{ "OFF", ".off", SHARED | WRITE,      off_recognise, off_read, off_write },
 	{ "OBJ", ".obj", SHARED | WRITE | UV, obj_recognise, obj_read, obj_write },
 	{ "PLY", ".ply", SHARED | WRITE | UV, ply_recognise, ply_read, ply_write },
-	{ "STL", ".stl", WRITE | SINGLE,      stl_recognise, stl_read, stl_write }
+	{ "STL", ".stl", WRITE | SINGLE,      stl_recognise, stl_read, stl_write },
+	{ "XYZ", ".xyz", 0,                   xyz_recognise, xyz_read, NULL },
+	{ "MNI OBJ", ".obj", SHARED,          mni_recognise, mni_read, NULL },
+	{ "Hoppe M", ".m", SHARED,            hoppe_recognise, hoppe_read, NULL },
+	{ "FreeSurfer", ".pial .white", SHARED,    fsbinary_recognise, fsbinary_read, NULL },
+	{ "FreeSurfer ASCII", ".asc", SHARED, fsascii_recognise, fsascii_read, NULL }
 };
 
 enum { ROWS = sizeof table / sizeof *table };

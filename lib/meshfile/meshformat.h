@@ -27,7 +27,7 @@ typedef struct MeshFormat {
 	unsigned    can;        /* flags from above */
 	int       (*recognise)(const struct MeshStart *);       /* meshpriv.h */
 	int       (*read)(struct Reader *);                     /* meshpriv.h */
-	int       (*write)(struct Text *, const Soup *);        /* writepriv.h */
+	int       (*write)(struct Text *, const Soup *);        /* writepriv.h; NULL unless MESHFORMAT_WRITE */
 } MeshFormat;
 
 /* Row i, or NULL after the last.  Row 0 is the format that programs write to stdout. */
@@ -40,7 +40,7 @@ const MeshFormat *meshformat_of(const char *file);
 /* Lists, for usage texts and messages, of the formats that have all flags of can.
  * meshformat_names gives their names: "OFF, OBJ or PLY" if word is "or".  meshformat_ends gives the
  * endings of their file names: ".off .obj or .ply".  Both write the list to buf and return buf. */
-enum { MESHFORMAT_LIST = 120 };
+enum { MESHFORMAT_LIST = 160 };
 char *meshformat_names(unsigned can, const char *word, char buf[MESHFORMAT_LIST]);
 char *meshformat_ends(unsigned can, char buf[MESHFORMAT_LIST]);
 

@@ -88,6 +88,17 @@ int uv_start(Reader *r, size_t nv);
  * MESH_EVALUE. */
 int uv_check(Reader *r);
 
+/* Read the next word as a coordinate or a whole number of record i of count.  `what` names the record in
+ * messages, as in "face".  Return 0 or MESH_EFORMAT. */
+int record_number(Reader *r, const char *what, long long i, long long count, double *x);
+int record_int(Reader *r, const char *what, long long i, long long count, long long *x);
+
+/* Read vertex s->nv of count; its three coordinates, the next words.  Returns 0 or a MESH_E code. */
+int record_vertex(Reader *r, long long count);
+
+/* Appends the fact (facts.h), unless the value is empty.  Returns 0 or MESH_ENOMEM. */
+int fact_add(Reader *r, const char *key, Token value);
+
 /* The beginning of a file, to recognise its format: its first n bytes, its first word after
  * comments, and its least and most size in bytes.  Both sizes are n if the whole file is at p. */
 typedef struct MeshStart {
@@ -110,6 +121,22 @@ int ply_recognise(const MeshStart *m);
 int ply_read(Reader *r);
 int stl_recognise(const MeshStart *m);
 int stl_read(Reader *r);
+int xyz_recognise(const MeshStart *m);
+int xyz_read(Reader *r);
+int mni_recognise(const MeshStart *m);
+int mni_read(Reader *r);
+int hoppe_recognise(const MeshStart *m);
+int hoppe_read(Reader *r);
+int fsbinary_recognise(const MeshStart *m);
+int fsbinary_read(Reader *r);
+int fsascii_recognise(const MeshStart *m);
+int fsascii_read(Reader *r);
+
+/* Whether a file begins with the n bytes of magic. */
+int start_has(const MeshStart *m, const char *magic, size_t n);
+
+/* The number of numbers from m->word to the end of its line; -1 if there is a word that is none. */
+int start_numbers(const MeshStart *m);
 
 /* Inflate gzip members into malloc'd *out, at most `most` bytes.  Returns 0, MESH_ENOMEM or
  * MESH_EFORMAT. */

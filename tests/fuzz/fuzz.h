@@ -24,6 +24,10 @@ void   fuzz_mark(void);
  * more than `most` bytes of memory. */
 void fuzz_mesh(const uint8_t *data, size_t n, size_t most);
 
+/* The same, for a target whose inputs begin with a magic string: it replaces the first bytes, if they are
+ * others. */
+void fuzz_mesh_from(const char *magic, size_t nmagic, const uint8_t *data, size_t n);
+
 /* The memory that reading n bytes may use: 16 for each byte, and 1024 (meshfile.h). */
 size_t fuzz_meshbound(size_t n);
 

@@ -24,7 +24,7 @@ refused(const Soup *s)
 {
 	const char *p;
 
-	fuzz_need(!s->xyz && !s->first && !s->idx && !s->channels.n, "a refused mesh has something to free");
+	fuzz_need(!s->xyz && !s->first && !s->idx && !s->channels.n && !s->facts, "a refused mesh has something to free");
 	fuzz_need(s->err[0] != '\0', "a refusal without a message");
 	for (p = s->err; *p; p++)
 		fuzz_need(*p >= 0x20 && *p < 0x7f, "a message is not one printable line");
@@ -171,4 +171,18 @@ fuzz_mesh(const uint8_t *data, size_t n, size_t most)
 {
 	one(meshfile_parse, data, n, most);
 	one(meshfile_parse_uv, data, n, most);
+}
+
+void
+fuzz_mesh_from(const char *magic, size_t nmagic, const uint8_t *data, size_t n)
+{
+	uint8_t *p;
+
+	if (n < nmagic)
+		return;
+	p = malloc(n);
+	memcpy(p, data, n);
+	memcpy(p, magic, nmagic);
+	fuzz_mesh(p, n, fuzz_meshbound(n));
+	free(p);
 }

@@ -1,0 +1,52 @@
+/* facts.c - what a mesh file says of its coordinates. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "facts.h"
+#include "meshpriv.h"
+
+/* Copies the value with each run of blanks as one, none at its ends, and ? for bytes that are not
+ * printable ASCII.  What does not fit is cut off.  Returns its length. */
+static size_t
+clean(Token t, char out[FACT_VALUE])
+{
+	size_t i, n = 0;
+
+	for (i = 0; i < t.n && n < FACT_VALUE - 1; i++)
+		if (!strchr(" \t\r\n\v\f", t.s[i]) || !t.s[i])
+			out[n++] = t.s[i] > ' ' && t.s[i] < 127 ? t.s[i] : '?';
+		else if (n > 0 && out[n-1] != ' ')
+			out[n++] = ' ';
+	n -= n > 0 && out[n-1] == ' ';
+	out[n] = '\0';
+	return n;
+}
+
+int
+fact_add(Reader *r, const char *key, Token value)
+{
+	char v[FACT_VALUE], *p;
+	const size_t had = r->s->facts ? strlen(r->s->facts) : 0;
+	const size_t n = strlen(key) + clean(value, v) + 3;
+
+	if (n == strlen(key) + 3)
+		return 0;               /* no value, no fact */
+	if (!(p = realloc(r->s->facts, had + n)))
+		return mesh_fail(r->s->err, MESH_ENOMEM, "no memory for the fact %s", key);
+	snprintf(p + had, n, "%s %s\n", key, v);
+	r->s->facts = p;
+	return 0;
+}
+
+const char *
+fact_next(const char *facts, char key[FACT_KEY], char value[FACT_VALUE])
+{
+	const char *blank, *end;
+
+	if (!facts || !(end = strchr(facts, '\n')) || !(blank = memchr(facts, ' ', (size_t)(end - facts))))
+		return NULL;
+	snprintf(key, FACT_KEY, "%.*s", (int)(blank - facts), facts);
+	snprintf(value, FACT_VALUE, "%.*s", (int)(end - blank - 1), blank + 1);
+	return end + 1;
+}

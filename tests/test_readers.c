@@ -1,0 +1,180 @@
+/* test_readers.c - the readers of XYZ, MNI OBJ, Hoppe M and FreeSurfer: what they read, the facts that they keep,
+ * what they refuse.  Every file is also cut at every byte: it is refused, or read as a smaller mesh only where
+ * the format has no counts. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+
+#include "../lib/meshfile/facts.h"
+#include "../lib/meshfile/meshfile.h"
+#include "meshreads.h"
+
+/* Checks that the first n bytes and no fewer are read. */
+static void
+cut(const char *bytes, size_t n, size_t from)
+{
+	Soup s;
+
+	for (; from < n; from++)
+		if (parse(&s, bytes, from) == 0)
+			fail_msg("%.20s: %zu of %zu bytes are read", bytes, from, n);
+}
+
+static void
+has_facts(const char *bytes, size_t n, const char *facts)
+{
+	Soup s;
+
+	if (parse(&s, bytes, n))
+		fail_msg("%s", s.err);
+	assert_string_equal(s.facts ? s.facts : "", facts);
+	soup_free(&s);
+}
+
+static void
+coordinate(const char *bytes, size_t n, int i, double x)
+{
+	Soup s;
+
+	if (parse(&s, bytes, n))
+		fail_msg("%s", s.err);
+	assert_true(i < 3*s.nv && s.xyz[i] == x);
+	soup_free(&s);
+}
+
+static void
+xyz_rules(void **state)
+{
+	(void)state;
+	reads("0 0 0\n1 0 0\n0 1 0", 3, "");
+	reads("# c\r\n\r\n0.5 -1e3 .25 255 0 0 # c\r\n1 0 0 0 255 0\r\n", 2, "");
+	coordinate("0 0 0\n1 2.5 0\n", 14, 4, 2.5);
+	refuses("0 0 0\n1 0\n", MESH_EFORMAT, "line 2: point 1 has 2 numbers, the first has 3");
+	refuses("0 0 0\n1 0 x\n", MESH_EFORMAT, "line 2: 'x' is not a coordinate");
+	refuses("0 0 0\n1 0 nan\n", MESH_EVALUE, "vertex 1");
+	refuses("1 2\n0 0 0\n", MESH_EFORMAT, "not an OFF, OBJ");
+}
+
+#define MNI "P 0.3 0.3 0.4 10 1 4\n0 0 0\n1 0 0\n0 1 0\n1 1 0.5\n\n0 0 1\n0 0 1\n0 0 1\n0 0 1\n\n 2\n"
+
+static void
+mni_rules(void **state)
+{
+	static const char file[] = MNI " 0 1 1 1 1\n\n 3 6\n\n 0 1 2 2 1 3\n";
+
+	(void)state;
+	reads(file, 4, "0 1 2/2 1 3");
+	reads(MNI "1 1 1 1 1 0 0 0 0 4 6 0 1 2 3 0 1", 4, "0 1 2 3/0 1");
+	reads(MNI "2 1 1 1 1 0 0 0 0 1 1 1 1 1 1 1 1 3 6 0 1 2 2 1 3", 4, "0 1 2/2 1 3");
+	coordinate(file, sizeof file - 1, 11, 0.5);
+	cut(file, sizeof file - 2, 0);
+	refuses(MNI "3 1 1 1 1 3 6 0 1 2 2 1 3", MESH_EFORMAT, "kind of colours 3, not 0, 1 or 2");
+	refuses(MNI "0 1 1 1 1 3 2 0 1 2 2 1 3", MESH_EFORMAT, "face 1 ends at corner 2, before it begins");
+	refuses(MNI "0 1 1 1 1 3 7000 0 1 2 2 1 3", MESH_EFORMAT, "header announces 7000 corners");
+	refuses(MNI "0 1 1 1 1 3 6 0 1 2 2 1 4", MESH_EINDEX, "face 1 refers to vertex 4, there are 4");
+	refuses(MNI "0 1 1 1 1 3 6 0 1 2 2 1 3 4", MESH_EFORMAT, "'4' is not expected after the last face");
+	refuses("P 0.3 0.3 0.4 10 1 2000000000\n0 0 0\n", MESH_EFORMAT, "header announces 2000000000 vertices");
+	reads("v 0 0 0\np 1 1 1 1 1 1\n", 1, "");
+}
+
+static void
+hoppe_rules(void **state)
+{
+	(void)state;
+	reads("Vertex 1 0 0 0\nVertex 2 1 0 0 {normal=(0 0 1)}\nVertex 3 0 1 0\nFace 1 1 2 3\n", 3, "0 1 2");
+	reads("# c\nVertex 70 0 0 0\nVertex 5 1 0 0\nFace 9 70 5 6 8 {matid=1}\nEdge 70 5 {sharp}\nVertex 6 1 1 0\n"
+	    "Vertex 8 0 1 0\n", 4, "0 1 2 3");
+	refuses("Vertex 1 0 0 0\nVertex 1 1 0 0\n", MESH_EFORMAT, "two vertices have the ID 1");
+	refuses("Vertex 1 0 0 0\nFace 1 1 1 2\n", MESH_EINDEX, "face 0 refers to the ID 2, which no vertex has");
+	refuses("Vertex 1 0 0\n", MESH_EFORMAT, "line 1: '' is not a coordinate");
+	refuses("Vertex 1 0 0 0\nFace 1 1 x\n", MESH_EFORMAT, "line 2: 'x' is not the ID of a vertex");
+	refuses("Vertex 1 0 0 0\nVertx 2\n", MESH_EFORMAT, "line 2: 'Vertx' is not Vertex, Face, Edge or Corner");
+	refuses("Vertex 4294967297 0 0 0\n", MESH_EFORMAT, "is not an ID");
+}
+
+/* Three vertices (0,0,0), (1,0,0), (0,1,0), one face. */
+#define FS_TEXT "\xff\xff\xfe" "created by x\n\n"
+#define FS_ONE "\x3f\x80\0\0"
+#define FS_ZERO "\0\0\0\0"
+#define FS_MESH "\0\0\0\3\0\0\0\1" FS_ZERO FS_ZERO FS_ZERO FS_ONE FS_ZERO FS_ZERO FS_ZERO FS_ONE FS_ZERO "\0\0\0\0\0\0\0\1\0\0\0\2"
+#define FS_GEOMETRY "\0\0\0\x14valid = 1  # volume info valid\nfilename = ../mri/T1.mgz\nvolume = 256 256 256\n" \
+	"voxelsize = 1.0 1.0 1.0\nxras   = -1 0 0\nyras   = 0 0 -1\nzras   = 0 1 0\ncras   = 5.5 -17.25  18\n"
+#define FS_FACTS "source FreeSurfer\nunit mm\nfs.valid 1 # volume info valid\nfs.filename ../mri/T1.mgz\nfs.volume 256 256 256\n" \
+	"fs.voxelsize 1.0 1.0 1.0\nfs.xras -1 0 0\nfs.yras 0 0 -1\nfs.zras 0 1 0\nc_ras 5.5 -17.25 18\n"
+
+static void
+freesurfer_binary(void **state)
+{
+	static const char plain[] = FS_TEXT FS_MESH, one[] = "\xff\xff\xfe" "x\n" FS_MESH;
+	static const char tkras[] = FS_TEXT FS_MESH "\0\0\0\2\0\0\0\0" FS_GEOMETRY;
+	static const char scanner[] = FS_TEXT FS_MESH "\0\0\0\3\0\0\0\0\0\0\0\2ab" "\0\0\0\2\0\0\0\1" FS_GEOMETRY "\0\0\0\3";
+	static const char invalid[] = FS_TEXT FS_MESH "\0\0\0\x14valid = 0\n";
+	static const char many[] = FS_TEXT "\x7f\xff\xff\xff\0\0\0\1", index[] = FS_TEXT "\0\0\0\1\0\0\0\1" FS_ZERO FS_ZERO
+	    FS_ZERO FS_ZERO FS_ZERO "\xff\xff\xff\xff";
+	Soup s;
+
+	(void)state;
+	reads_bytes(plain, sizeof plain - 1, 3, "0 1 2");
+	reads_bytes(one, sizeof one - 1, 3, "0 1 2");
+	coordinate(plain, sizeof plain - 1, 3, 1);
+	cut(plain, sizeof plain - 1, 0);
+	has_facts(plain, sizeof plain - 1, "source FreeSurfer\nunit mm\nspace tkras\n");
+	has_facts(tkras, sizeof tkras - 1, FS_FACTS "space tkras\n");
+	has_facts(scanner, sizeof scanner - 1, FS_FACTS "space scanner\n");
+	has_facts(invalid, sizeof invalid - 1, "source FreeSurfer\nunit mm\nspace tkras\n");
+	coordinate(tkras, sizeof tkras - 1, 3, 1);      /* not moved by c_ras */
+	assert_int_equal(parse(&s, many, sizeof many - 1), MESH_EFORMAT);
+	assert_non_null(strstr(s.err, "header announces 2147483647 vertices, file has room for 0"));
+	assert_int_equal(parse(&s, index, sizeof index - 1), MESH_EINDEX);
+	assert_int_equal(parse(&s, tkras, sizeof tkras - 10), MESH_EFORMAT);
+	assert_non_null(strstr(s.err, "file ends in line 7 of the volume geometry"));
+}
+
+static void
+freesurfer_ascii(void **state)
+{
+	static const char file[] = "#!ascii version of lh.pial\n3 1\n0 0 0  0\n1 0 0  0\n0 1 0  0\n0 1 2 0\n";
+
+	(void)state;
+	reads(file, 3, "0 1 2");
+	cut(file, sizeof file - 3, 0);
+	has_facts(file, sizeof file - 1, "source FreeSurfer\nunit mm\nspace tkras\n");
+	refuses("#!ascii version of patch lh.flat\n3 1\n#12\n", MESH_EFORMAT, "FreeSurfer ASCII patch is not read");
+	refuses("#!ascii version of x\n3 x\n", MESH_EFORMAT, "line 2, count 1: 'x' is not a whole number");
+	refuses("#!ascii version of x\n1 1\n0 0 0 0\n0 0 1 0\n", MESH_EINDEX, "face 0 refers to vertex 1, there are 1");
+	refuses("#!ascii version of x\n1 1\n0 0 0 0\n0 0 0 0 7\n", MESH_EFORMAT, "'7' is not expected after the last face");
+}
+
+static void
+facts_line_by_line(void **state)
+{
+	const char *p = "space tkras\nc_ras 1 2 3\n";
+	char key[FACT_KEY], value[FACT_VALUE];
+
+	(void)state;
+	assert_non_null(p = fact_next(p, key, value));
+	assert_string_equal(key, "space");
+	assert_string_equal(value, "tkras");
+	assert_non_null(p = fact_next(p, key, value));
+	assert_string_equal(key, "c_ras");
+	assert_string_equal(value, "1 2 3");
+	assert_null(fact_next(p, key, value));
+	assert_null(fact_next(NULL, key, value));
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(xyz_rules), cmocka_unit_test(mni_rules), cmocka_unit_test(hoppe_rules),
+		cmocka_unit_test(freesurfer_binary), cmocka_unit_test(freesurfer_ascii),
+		cmocka_unit_test(facts_line_by_line)
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
