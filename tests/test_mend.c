@@ -584,6 +584,88 @@ a_second_pass_changes_nothing(void **state)
 	soup_free(&s);
 }
 
+/* ---- random soups ---- */
+
+static unsigned
+draw(uint64_t *state, unsigned n)
+{
+	*state = *state*6364136223846793005u + 1442695040888963407u;
+	return (unsigned)(*state >> 33)%n;
+}
+
+/* Few places, so that vertices coincide, faces have no area, and edges have many faces. */
+static Soup
+random_soup(uint64_t seed)
+{
+	const unsigned side = 2 + (unsigned)(seed%3);
+	Soup s = soup_new(0, 0);
+	uint64_t state = seed;
+	int nv = 4 + (int)draw(&state, 20), nf = 1 + (int)draw(&state, 40), i;
+
+	for (i = 0; i < nv; i++) {
+		const double x = draw(&state, side), y = draw(&state, side), z = draw(&state, side);
+
+		add_vertex(&s, x, y, draw(&state, 50) ? z : NAN);
+	}
+	for (i = 0; i < nf; i++) {
+		const int a = (int)draw(&state, (unsigned)nv), b = (int)draw(&state, (unsigned)nv);
+
+		add(&s, a, b, (int)draw(&state, (unsigned)nv));
+	}
+	return s;
+}
+
+/* Whatever comes in: an error with a reason, or components that are manifold, oriented, and counted
+ * rightly; and a disk if there is but one. */
+static void
+any_soup_is_mended_or_refused(void **state)
+{
+	int seed, disks = 0, refused = 0, loops = 0, flat = 0, e, e2;
+	MendReport r;
+	Disk d;
+
+	(void)state;
+	for (seed = 1; seed <= 4000; seed++) {
+		Soup s = random_soup((uint64_t)seed), out;
+		MendOptions o = MEND_DEFAULTS;
+
+		o.components = seed%4;
+		o.weld = seed%5 ? 0 : seed%2 ? 0.5 : MEND_WELD_NONE;
+		o.cut_handles = seed%2;
+		o.fill_all = seed%7 == 0;
+		o.open = seed%3 ? MEND_CLOSED : MEND_OPEN_AUTO;
+		o.fill = seed%3;
+		if ((e = mend(&out, &s, &o, &r)) != 0) {
+			if (!out.err[0] || (e != MESH_EDISK && e != MESH_EORIENT))
+				fail_msg("seed %d: error %d: %s", seed, e, out.err);
+			refused++;
+		} else {
+			if (out.nv == 3*out.nf && r.left > 1) {       /* disk_from_soup would weld them */
+				mend_report_free(&r);
+				soup_free(&out);
+				soup_free(&s);
+				continue;
+			}
+			e2 = disk_from_soup(&d, &out);
+			if (e2 && (e2 != MESH_EDISK || r.left == r.disks) && !r.flat_left && r.left*r.disks <= 1)
+				fail_msg("seed %d: no disk: %s", seed, d.err);
+			if (e2 == MESH_EMANIFOLD || e2 == MESH_EORIENT || (e2 == MESH_EFACE && !r.flat_left))
+				fail_msg("seed %d: no surface: %s", seed, d.err);
+			if (!e2)
+				disk_free(&d);
+			disks += !e2;
+			loops += r.left == 1 && r.disks == 0 && r.closed == 0;
+			flat += r.flat_left > 0;
+		}
+		mend_report_free(&r);
+		if (!e)
+			soup_free(&out);
+		soup_free(&s);
+	}
+	print_message("%d disks, %d with several loops, %d with flat faces, %d refused\n", disks, loops, flat, refused);
+	assert_true(disks > 1000);
+}
+
 int
 main(void)
 {
@@ -601,7 +683,8 @@ main(void)
 		cmocka_unit_test(handles_are_refused_or_cut),
 		cmocka_unit_test(closed_stays_closed_or_is_opened),
 		cmocka_unit_test(one_sided_is_refused),
-		cmocka_unit_test(a_second_pass_changes_nothing)
+		cmocka_unit_test(a_second_pass_changes_nothing),
+		cmocka_unit_test(any_soup_is_mended_or_refused)
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

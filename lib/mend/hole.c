@@ -44,6 +44,29 @@ on_edge(const Sheet *s, const Loop *l, int longest)
 	return l->n > 2;
 }
 
+/* Whether a face at the start of a boundary side has vertex v. */
+static int
+meets(const Sheet *s, int side, int v)
+{
+	for (; side >= 0; side = s->twin[sheet_prev(side)])
+		if (sheet_to(s, side) == v || s->tri[sheet_prev(side)] == v)
+			return 1;
+	return 0;
+}
+
+/* Whether the apex of the longest side has an edge to a vertex that it is to be joined with. */
+static int
+joined(const Sheet *s, const Loop *l, int longest)
+{
+	const int apex = s->tri[sheet_prev(longest)];
+	int side = loop_next(s, loop_next(s, longest)), i;
+
+	for (i = 2; i < l->n; i++, side = loop_next(s, side))
+		if (meets(s, side, apex))
+			return 1;
+	return 0;
+}
+
 /* Replaces the face of the longest side by a fan to the vertices of the loop; tri and filled have room
  * for n - 2 more faces. */
 static void
@@ -103,7 +126,7 @@ close_some(Sheet *s, const Loop *loop, int n, unsigned char *locked)
 	memset(locked, 0, (size_t)s->nf);
 	for (i = 0; i < n; i++) {
 		longest = longest_side(s, &loop[i]);
-		if (!on_edge(s, &loop[i], longest) || lock_faces(s, &loop[i], locked))
+		if (!on_edge(s, &loop[i], longest) || joined(s, &loop[i], longest) || lock_faces(s, &loop[i], locked))
 			continue;
 		split_face(s, &loop[i], longest);
 		done++;

@@ -27,16 +27,21 @@ nearest(const Sheet *s, const int *piece, int p, const double *at)
 	return found;
 }
 
-/* Cuts from the start of the paths to the farthest vertex. */
+/* Cuts from the start of the paths to the farthest vertex.  A cut of one edge opens nothing: it goes on
+ * along another edge of a face there. */
 static double
 cut(PathTree *t, Sheet *s)
 {
-	int v = t->order[t->n - 1];
+	int v = t->order[t->n - 1], n = 0;
+	const int side = t->via[v], more = s->tri[side] == v ? sheet_prev(side) : sheet_next(side);
 	const double length = t->distance[v];
 
-	for (; t->via[v] >= 0; v = path_before(t, s, v))
+	for (; t->via[v] >= 0; v = path_before(t, s, v), n++)
 		path_cut(s, t->via[v]);
-	return length;
+	if (n > 1)
+		return length;
+	path_cut(s, more);
+	return length + sheet_length(s, more);
 }
 
 int
