@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """readers.py DUMP FILE.. - compares each mesh file, as DUMP (tests/meshdump.c) reads it, with an independent
 reader: nibabel for GIFTI and FreeSurfer, meshio for others; for formats that neither reads (Hoppe M, FreeSurfer
-ASCII, OBJ, OFF BINARY, PLY of strips) a few lines of numpy.  Prints a line for each file; exit 1 if one differs.
+ASCII, OBJ, legacy VTK, OFF BINARY, PLY of strips) a few lines of numpy.  Prints a line for each file; exit 1 if one differs.
 Exit 77 if nibabel or meshio is not installed."""
 import os
 import subprocess
@@ -76,6 +76,14 @@ def strips(path):
     return vertices, faces
 
 
+def vtk(path):
+    """Legacy ASCII POLYDATA with triangles only."""
+    words = open(path).read().split()
+    i, j = words.index("POINTS"), words.index("POLYGONS")
+    points = np.array(words[i + 3:i + 3 + 3*int(words[i + 1])], "f4").reshape(-1, 3)
+    return points, np.array(words[j + 3:j + 3 + int(words[j + 2])], int).reshape(-1, 4)[:, 1:]
+
+
 def general(path):
     mesh = meshio.read(path)
     return mesh.points, [row for block in mesh.cells if block.dim == 2 for row in block.data]
@@ -93,6 +101,8 @@ def by_name(path):
         return nibabel.freesurfer.read_geometry(path)
     if open(path, "rb").read(10) == b"OFF BINARY":
         return offbinary(path)
+    if name.endswith(".vtk"):
+        return vtk(path)
     if name.endswith(".obj"):
         return obj(path)
     if "strips" in name:

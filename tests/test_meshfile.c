@@ -259,7 +259,6 @@ other_kinds(void **state)
 	refuses("<html>", MESH_EFORMAT, "XML");
 	refuses("\xff\xff\xff\xff" "x", MESH_EFORMAT, "this is a FreeSurfer patch");
 	refuses("\xff\xff\xfd" "x", MESH_EFORMAT, "this is a FreeSurfer surface of quadrangles");
-	refuses("# vtk DataFile Version 3.0\n", MESH_EFORMAT, "legacy VTK");
 	refuses("MATLAB 5.0 MAT-file, x", MESH_EFORMAT, "MATLAB");
 	refuses("lhg 1\n", MESH_EFORMAT, "lhg grid");
 }
@@ -404,7 +403,8 @@ stl_holds_triangles(void **state)
 static void
 table_of_formats(void **state)
 {
-	static const char *const target[] = { "off", "obj", "ply", "stl", "xyz", "mni", "hoppe", "fsbinary", "fsascii" };
+	static const char *const target[] = { "off", "obj", "ply", "stl", "xyz", "mni", "hoppe", "fsbinary", "fsascii",
+	    "vtk" };
 	char list[MESHFORMAT_LIST], file[100];
 	const MeshFormat *f;
 	int row;
@@ -416,8 +416,8 @@ table_of_formats(void **state)
 	assert_null(meshformat_of("plyx"));
 	assert_null(meshformat_of("off"));
 	assert_null(meshformat(-1));
-	assert_string_equal(meshformat_names(0, "or", list), "OFF, OBJ, PLY, STL, XYZ, MNI OBJ, Hoppe M, FreeSurfer "
-	    "or FreeSurfer ASCII");
+	assert_string_equal(meshformat_names(0, "or", list), "OFF, OBJ, PLY, STL, XYZ, MNI OBJ, Hoppe M, FreeSurfer, "
+	    "FreeSurfer ASCII or VTK");
 	assert_string_equal(meshformat_names(MESHFORMAT_WRITE, "or", list), "OFF, OBJ, PLY or STL");
 	assert_string_equal(meshformat_names(MESHFORMAT_UV, "and", list), "OBJ and PLY");
 	assert_string_equal(meshformat_ends(MESHFORMAT_WRITE, list), ".off .obj .ply or .stl");

@@ -1,4 +1,4 @@
-/* test_readers.c - the readers of XYZ, MNI OBJ, Hoppe M and FreeSurfer: what they read, the facts that they keep,
+/* test_readers.c - the readers of XYZ, MNI OBJ, Hoppe M, FreeSurfer and VTK: what they read, the facts that they keep,
  * what they refuse.  Every file is also cut at every byte: it is refused, or read as a smaller mesh only where
  * the format has no counts. */
 #include <setjmp.h>
@@ -150,6 +150,59 @@ freesurfer_ascii(void **state)
 	refuses("#!ascii version of x\n1 1\n0 0 0 0\n0 0 0 0 7\n", MESH_EFORMAT, "'7' is not expected after the last face");
 }
 
+/* ---- VTK ---- */
+
+#define VTK(version, kind) "# vtk DataFile Version " version "\ntitle\n" kind "\nDATASET POLYDATA\n"
+#define FOUR "POINTS 4 float\n0 0 0\n1 0 0\n0 1 0  1 1 0.5\n"
+
+static void
+vtk_ascii(void **state)
+{
+	static const char old[] = VTK("1.0", "ASCII") FOUR "POLYGONS 2 8\n3 0 1 2\n3 2 1 3\n";
+	static const char new[] = VTK("5.1", "ASCII") FOUR "METADATA\nINFORMATION 0\n\nPOLYGONS 3 6\nOFFSETS vtktypeint64\n0 3 6\n"
+	    "CONNECTIVITY vtktypeint64\n0 1 2\n2 1 3";
+
+	(void)state;
+	reads(old, 4, "0 1 2/2 1 3");
+	coordinate(old, sizeof old - 1, 11, 0.5);
+	cut(old, sizeof old - 2, (size_t)(strstr(old, "POLYGONS") - old) + 1);
+	reads(new, 4, "0 1 2/2 1 3");
+	cut(new, sizeof new - 1, (size_t)(strstr(new, "POLYGONS") - new) + 1);
+	reads(VTK("3.0", "ASCII") FOUR "VERTICES 1 2 1 0\nLINES 1 3 2 0 1\nTRIANGLE_STRIPS 1 5 4 0 1 2 3\n", 4, "0 1 2/2 1 3");
+	reads(VTK("4.2", "ASCII") FOUR "POLYGONS 1 5 4 0 1 3 2\nPOINT_DATA 4\nSCALARS a float\nLOOKUP_TABLE default\n1 2 3 4\n"
+	    "VECTORS b double 1 2 3 4 5 6 7 8 9 10 11 12\nCELL_DATA 1\nFIELD f 2\nc 1 1 int\n7\nd 2 1 float\n1 2\n", 4, "0 1 3 2");
+	refuses(VTK("3.0", "ASCII") FOUR "POLYGONS 1 5 4 0 1 3\n", MESH_EFORMAT, "file ends in face 0 of 1");
+	refuses(VTK("3.0", "ASCII") FOUR "POLYGONS 1 4 4 0 1 3 2\n", MESH_EFORMAT, "need 0 to 3");
+	refuses(VTK("3.0", "ASCII") FOUR "POLYGONS 1 4 3 0 1 4\n", MESH_EINDEX, "face 0 refers to vertex 4, there are 4");
+	refuses(VTK("3.0", "ASCII") FOUR "POLYGONS 1 4 3 0 1 -4\n", MESH_EINDEX, "face 0 refers to vertex -4");
+	refuses(VTK("3.0", "ASCII") "POINTS 2000000000 float\n", MESH_EFORMAT, "header announces 2000000000 points");
+	refuses(VTK("3.0", "ASCII") FOUR "POLYGONS 1 2000000000\n3", MESH_EFORMAT, "header announces 2000000000 values of cells");
+	refuses(VTK("5.1", "ASCII") FOUR "POLYGONS 3 6\nOFFSETS int\n0 4 3\nCONNECTIVITY int\n0 1 2 2 1 3", MESH_EFORMAT,
+	    "face 2 of 3 has the size or offset 3, need 6 to 6");
+	refuses(VTK("3.0", "ASCII") "POINTS 1 bit\n0 0 0", MESH_EFORMAT, "line 5: 'bit' is not a type of numbers that is read");
+	refuses("# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\n", MESH_EFORMAT,
+	    "line 4: DATASET UNSTRUCTURED_GRID is not read, only POLYDATA");
+	refuses(VTK("3.0", "ASCII") FOUR "POLYGON 1", MESH_EFORMAT, "'POLYGON' is not a keyword");
+	refuses(VTK("3.0", "ASCI"), MESH_EFORMAT, "line 3: 'ASCI' is not ASCII or BINARY");
+}
+
+static void
+vtk_binary(void **state)
+{
+	static const char old[] = VTK("3.0", "BINARY") "POINTS 3 float\n" FS_ZERO FS_ZERO FS_ZERO FS_ONE FS_ZERO FS_ZERO FS_ZERO
+	    FS_ONE FS_ZERO "\nPOLYGONS 1 4\n" "\0\0\0\3\0\0\0\0\0\0\0\1\0\0\0\2" "\nCELL_DATA 1\nNORMALS n float\n" FS_ZERO FS_ZERO FS_ONE;
+	static const char new[] = VTK("5.1", "BINARY") "POINTS 3 float\n" FS_ZERO FS_ZERO FS_ZERO FS_ONE FS_ZERO FS_ZERO FS_ZERO
+	    FS_ONE FS_ZERO "\nPOLYGONS 2 3\nOFFSETS vtktypeint64\n" FS_ZERO FS_ZERO FS_ZERO "\0\0\0\3\nCONNECTIVITY vtktypeint32\n"
+	    "\0\0\0\0\0\0\0\1\0\0\0\2";
+
+	(void)state;
+	reads_bytes(old, sizeof old - 1, 3, "0 1 2");
+	coordinate(old, sizeof old - 1, 3, 1);
+	reads_bytes(new, sizeof new - 1, 3, "0 1 2");
+	cut(old, sizeof old - 1, sizeof old - 25);
+	cut(new, sizeof new - 1, sizeof new - 70);
+}
+
 static void
 facts_line_by_line(void **state)
 {
@@ -173,6 +226,7 @@ main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(xyz_rules), cmocka_unit_test(mni_rules), cmocka_unit_test(hoppe_rules),
 		cmocka_unit_test(freesurfer_binary), cmocka_unit_test(freesurfer_ascii),
+		cmocka_unit_test(vtk_ascii), cmocka_unit_test(vtk_binary),
 		cmocka_unit_test(facts_line_by_line)
 	};
 

@@ -20,7 +20,6 @@ static const struct {
 	{ "\xff\xff\xff\xff", 4,      "a FreeSurfer patch" },
 	{ "\xff\xff\xff", 3,          "a FreeSurfer curvature file or surface of quadrangles" },
 	{ "\xff\xff\xfd", 3,          "a FreeSurfer surface of quadrangles" },
-	{ "# vtk DataFile", 14,       "a legacy VTK file" },
 	{ "MATLAB 5.0 MAT-file", 19,  "a MATLAB file" },
 	{ "\x89HDF", 4,               "an HDF5 file" },
 	{ "lhg ", 4,                  "an lhg grid" },

@@ -23,6 +23,8 @@
  * MNI OBJ     polygons, ASCII
  * Hoppe M     lines Vertex and Face; attributes are skipped
  * FreeSurfer  surfaces of triangles, binary and ASCII; the volume geometry becomes facts (facts.h)
+ * VTK  legacy files of versions 1 to 5.1, ASCII and binary: POLYDATA, polygons and triangle strips; attributes
+ *      are skipped
  *
  * most  in  the most bytes that gzip data may unpack to
  *

@@ -19,7 +19,8 @@ static const MeshFormat table[] = {
 	{ "MNI OBJ", ".obj", SHARED,          mni_recognise, mni_read, NULL },
 	{ "Hoppe M", ".m", SHARED,            hoppe_recognise, hoppe_read, NULL },
 	{ "FreeSurfer", ".pial .white", SHARED,    fsbinary_recognise, fsbinary_read, NULL },
-	{ "FreeSurfer ASCII", ".asc", SHARED, fsascii_recognise, fsascii_read, NULL }
+	{ "FreeSurfer ASCII", ".asc", SHARED, fsascii_recognise, fsascii_read, NULL },
+	{ "VTK", ".vtk", SHARED,              vtk_recognise, vtk_read, NULL }
 };
 
 enum { ROWS = sizeof table / sizeof *table };

@@ -61,6 +61,16 @@ int soup_vertex(Reader *r, const double x[3]);
 int soup_corner(Reader *r, long long i);
 int soup_face(Reader *r);
 
+/* A triangle strip being read: its last two corners, and how many it has so far. */
+typedef struct Strip {
+	long long a, b, turn;
+} Strip;
+
+/* Adds corner k of a triangle strip.  It makes a triangle with the two corners before it.  Every second
+ * triangle has the opposite orientation.  k = -1 starts a new strip.  Triangles in which a vertex occurs
+ * twice are left out, but count for the orientation.  Returns 0 or a MESH_E code. */
+int soup_strip(Reader *r, Strip *t, long long k);
+
 /* Frees the memory for faces and corners that was reserved but not used. */
 void soup_trim(Reader *r);
 
@@ -131,6 +141,8 @@ int fsbinary_recognise(const MeshStart *m);
 int fsbinary_read(Reader *r);
 int fsascii_recognise(const MeshStart *m);
 int fsascii_read(Reader *r);
+int vtk_recognise(const MeshStart *m);
+int vtk_read(Reader *r);
 
 /* Whether a file begins with the n bytes of magic. */
 int start_has(const MeshStart *m, const char *magic, size_t n);

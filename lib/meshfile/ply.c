@@ -10,7 +10,7 @@ typedef struct Record {
 	Ply *p;
 	const PlyElem *e;
 	long long i;
-	long long a, b, turn;   /* of a strip: its last two corners, and how many it has so far */
+	Strip strip;
 	double x[PLY_USES];
 } Record;
 
@@ -67,31 +67,6 @@ check_integer(Record *c, double x, double lo)
 	    scan_show(c->e->name, show), c->i, x);
 }
 
-/* Adds corner k of a triangle strip.  It makes a triangle with the two corners before it.  Every
- * second triangle has the opposite orientation.  k = -1 starts a new strip.  Triangles in which a
- * vertex occurs twice are left out, but count for the orientation. */
-static int
-strip_corner(Record *c, long long k)
-{
-	Reader *r = c->p->r;
-	const int odd = c->turn % 2 == 1;
-	int e = 0;
-
-	if (k == -1) {
-		c->turn = 0;
-		return 0;
-	}
-	if (c->turn >= 2 && k != c->a && k != c->b && c->a != c->b)
-		if ((e = soup_corner(r, odd ? c->b : c->a)) != 0 ||
-		    (e = soup_corner(r, odd ? c->a : c->b)) != 0 ||
-		    (e = soup_corner(r, k)) != 0 || (e = soup_face(r)) != 0)
-			return e;
-	c->a = c->b;
-	c->b = k;
-	c->turn++;
-	return 0;
-}
-
 static int
 list_item(Record *c, const PlyProp *q)
 {
@@ -104,7 +79,7 @@ list_item(Record *c, const PlyProp *q)
 		return 0;
 	if ((e = check_integer(c, x, c->e->kind == PLY_STRIP ? -1 : -1e15)) != 0)
 		return e;
-	return c->e->kind == PLY_STRIP ? strip_corner(c, (long long)x) : soup_corner(c->p->r, (long long)x);
+	return c->e->kind == PLY_STRIP ? soup_strip(c->p->r, &c->strip, (long long)x) : soup_corner(c->p->r, (long long)x);
 }
 
 static int
@@ -116,7 +91,7 @@ list_property(Record *c, const PlyProp *q)
 
 	if ((e = value(c, q->count, &x)) != 0 || (e = check_integer(c, x, 0)) != 0)
 		return e;
-	for (n = (long long)x, c->turn = 0, k = 0; k < n; k++)
+	for (n = (long long)x, c->strip.turn = 0, k = 0; k < n; k++)
 		if ((e = list_item(c, q)) != 0)
 			return e;
 	return 0;

@@ -139,6 +139,27 @@ soup_face(Reader *r)
 }
 
 int
+soup_strip(Reader *r, Strip *t, long long k)
+{
+	const int odd = t->turn % 2 == 1;
+	int e = 0;
+
+	if (k == -1) {
+		t->turn = 0;
+		return 0;
+	}
+	if (t->turn >= 2 && k != t->a && k != t->b && t->a != t->b)
+		if ((e = soup_corner(r, odd ? t->b : t->a)) != 0 ||
+		    (e = soup_corner(r, odd ? t->a : t->b)) != 0 ||
+		    (e = soup_corner(r, k)) != 0 || (e = soup_face(r)) != 0)
+			return e;
+	t->a = t->b;
+	t->b = k;
+	t->turn++;
+	return 0;
+}
+
+int
 soup_check_count(Reader *r, const char *what, long long count, size_t room)
 {
 	if (count < 0)
