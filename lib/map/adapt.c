@@ -16,7 +16,8 @@
 enum { GRADED = 3 };                    /* splits of the faces at the corners, before any solve */
 enum { GROWTH = 4, FEW = 20000 };       /* ADAPT_HARD if the certificate is above the tolerance with
                                          * more than FEW vertices, and more than GROWTH times as
-                                         * many as were given: the triangles are badly shaped */
+                                         * many as in the first solve: the triangles are badly
+                                         * shaped */
 
 /* The term of triangle t (worst.h). */
 static double
@@ -32,8 +33,8 @@ term(const AdaptMap *m, int t)
 	return worst_term(c, m->u, m->v, dot3(a, a), dot3(a, b), dot3(b, b), norm3(n)/2);
 }
 
-/* Marks the triangles with the largest terms (worst.h).  Returns their number, or SPD_ENOMEM.  It
- * is 0 if `most` is 0, or if rounding leaves no positive sum of terms. */
+/* Marks the triangles with the largest terms (worst.h).  Returns their number, or SPD_ENOMEM.  The
+ * number is 0 if `most` is 0, or if rounding leaves no positive sum of terms. */
 static int
 mark(const AdaptMap *m, int most, unsigned char *marked)
 {
@@ -97,8 +98,8 @@ split_worst(AdaptMap *m, const int vertex[4], int most)
 	return split_marked(m, vertex, marked) ? SPD_ENOMEM : n;
 }
 
-/* Splits and solves until the certificate is small enough, or no face can be split.  Returns
- * ADAPT_HARD if that takes too many vertices. */
+/* Splits and solves until the certificate is small enough, there are o->most vertices, or no face
+ * can be split.  Returns ADAPT_HARD if that takes too many vertices. */
 static int
 refine(AdaptMap *a, const AdaptOptions *o, const int vertex[4], SpdReport *report)
 {
@@ -138,7 +139,7 @@ split_all(AdaptMap *m, const AdaptOptions *o, const int vertex[4], SpdReport *re
 }
 
 /* Splits the faces at the corners into four.  Where the boundary is smooth at a corner, the map is
- * singular, and these faces would be split first anyway; to do it at once saves solves. */
+ * singular, and these faces would be split first anyway; splitting them now saves solves. */
 static int
 split_corners(AdaptMap *m, const int vertex[4])
 {

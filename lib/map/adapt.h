@@ -40,8 +40,8 @@ typedef struct AdaptMap {
  * intrinsic_map. */
 enum { ADAPT_HARD = -20 };
 
-/* vertex: the corners, as vertex numbers.  Returns 0, or ADAPT_HARD, SPD_ENOMEM, SPD_EINDEFINITE,
- * SPD_ELARGE; if not 0, a holds nothing to free. */
+/* vertex: the corners, as vertex numbers.  Returns 0, or ADAPT_HARD, SPD_ENOMEM, SPD_ELARGE; if not
+ * 0, a holds nothing to free. */
 int adapt_map(const Disk *d, const int vertex[4], const AdaptOptions *options, AdaptMap *a,
 	SpdReport *report);
 

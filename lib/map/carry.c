@@ -7,7 +7,7 @@
 
 enum { PASSES = 100 };
 
-/* The place to which node p goes. */
+/* The place to which node p is moved, in grid steps. */
 static void
 image(Chart g, const Shift *s, int p, double x[2])
 {
@@ -79,10 +79,10 @@ bilinear(Chart g, const double *f, double x, double y)
 	return (1 - r)*((1 - t)*f[0] + t*f[1]) + r*((1 - t)*f[g.nu] + t*f[g.nu+1]);
 }
 
-/* The coordinate of a moved point by bicubic interpolation, `cubic`, and by bilinear, `linear`; 0 and
- * n are two sides.  Bilinear interpolation keeps inner points inside.  Where the displacement varies
- * much within a cell, bicubic interpolation may push them onto a side, all the points of a limb to
- * the same place; so it may change the distance from a side by a factor of two at most. */
+/* A coordinate of a moved point, between the sides 0 and n, from its values by bicubic and by bilinear
+ * interpolation.  The bilinear value keeps inner points inside.  Where the displacement varies much
+ * within a cell, the bicubic value may lie outside, and all points of a limb would end at one place on
+ * a side.  So each distance from a side is kept within a factor of two of the bilinear one. */
 static double
 keep_off(double cubic, double linear, int n)
 {

@@ -11,8 +11,8 @@ typedef struct Shift {
 } Shift;
 
 /* Moves n points (pu,pv) of the chart g by the shift, to the new chart of height s->T.  Points inside
- * stay inside, and those of a side on it.  Where cells are turned over, which happens if they are much
- * too large for the surface, the displacements of their nodes are smoothed first: s changes there. */
+ * stay inside; points of a side stay on it.  Cells much too large for the surface may be turned over;
+ * then the displacements of their nodes are smoothed first, and s changes there. */
 void carry_points(Chart g, Shift *s, int n, double *pu, double *pv);
 
 #endif

@@ -30,8 +30,8 @@ shortest_edge(Tangle *t, int f)
 	return apart(t, t->queue[0], t->queue[1]);
 }
 
-/* Adds to queue[0..1] the vertices connected with them that are at most `distance` away from
- * queue[0].  Returns the number of all. */
+/* Adds to queue[0..1] all vertices at most `distance` away from queue[0] that are connected to these
+ * two through such vertices.  Returns the length of the queue. */
 static int
 cluster(Tangle *t, double distance)
 {
@@ -51,8 +51,8 @@ cluster(Tangle *t, double distance)
 	return n;
 }
 
-/* The vertex of queue[0..n-1] at whose place all others are put: one that is on the sides of all, or
- * -1. */
+/* The vertex of queue[0..n-1] to whose place all others are moved: one that lies on every side of the
+ * rectangle that any of them lies on; -1 if there is none. */
 static int
 centre(const Tangle *t, int n)
 {
@@ -78,8 +78,8 @@ any_bad(const Tangle *t, const double *p, int n)
 	return 0;
 }
 
-/* Collapses queue[0..n-1].  Returns whether no triangle at them is bad then; if one is, the places
- * are unchanged. */
+/* Moves queue[0..n-1] to one place.  Returns 1 if then no triangle at these vertices is bad; otherwise
+ * restores their places and returns 0. */
 static int
 collapse_cluster(Tangle *t, int n)
 {

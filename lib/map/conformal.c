@@ -16,7 +16,7 @@
  * lower.  Grids from quadratic elements are always polished. */
 static const double ENOUGH = 2e-4;
 
-/* A map, and how it is to be sampled.  u and v begin with the values at the vertices of d. */
+/* A map and its sampling options.  u and v begin with the values at the vertices of d. */
 typedef struct Sampling {
 	const Sampler *s;
 	const Disk    *d;
@@ -26,8 +26,8 @@ typedef struct Sampling {
 } Sampling;
 
 /* Samples a map on the grid g and polishes the grid, which also moves the vertices of d in the
- * chart.  If the area of the grid is below `least` before or after that, *less is set, and the grid
- * freed. */
+ * chart.  If the area of the grid is below `least` before or after the polish, *less is set, and the
+ * grid is freed. */
 static int
 sample_and_polish(const Sampling *m, Chart g, double least, Conformal *c, int *less)
 {
@@ -82,8 +82,9 @@ typedef struct Solved {
 	double             T, enough;
 } Solved;
 
-/* Samples the surface: a smooth one on d, but near triangles of d that the map turns over or makes
- * flat on the facets of the finer mesh; a surface of facets on the finer mesh throughout. */
+/* Samples the surface.  A smooth surface is sampled on d, except near triangles of d that the map
+ * turns over or makes flat: there the facets of the finer mesh are sampled.  A surface of facets is
+ * sampled on the finer mesh everywhere. */
 static int
 sample(const Disk *d, const int corner[4], const Solved *m, Chart g, const ConformalOptions *options,
 	Conformal *c)
@@ -149,8 +150,8 @@ missed(const Disk *d, const AdaptMap *a, const AdaptOptions *o)
 	return o->tolerance < 1 && a->certificate > o->tolerance && d->m.nv < o->most;
 }
 
-/* For each axis a number that, subtracted from the coordinates, brings a mesh far from the origin
- * near it.  The subtraction is exact: the number is a multiple of a power of two that is not less
+/* The offset that, subtracted from the coordinates, brings a mesh far from the origin near it.  The
+ * subtraction is exact: along each axis the offset is a multiple of a power of two that is not less
  * than the extent of the mesh, and lies between 0 and the middle of the mesh. */
 static void
 find_offset(const Mesh *m, double offset[3])
@@ -196,7 +197,8 @@ map_and_sample(const Disk *d, const int corner[4], Chart g, const ConformalOptio
 	return e;
 }
 
-/* The disk d near the origin, numbered from one of its corners on; offset, to be added again. */
+/* Makes t the disk d moved by -offset, near the origin, and numbered from one of its corners on.  to:
+ * the corners in its loop.  Returns 0 or SPD_ENOMEM. */
 static int
 normalize(const Disk *d, const int corner[4], Traversal *t, int to[4], double offset[3])
 {
@@ -216,7 +218,7 @@ normalize(const Disk *d, const int corner[4], Traversal *t, int to[4], double of
 	return 0;
 }
 
-/* Puts x in the order in which the given disk has its vertices. */
+/* Puts x, given at the vertices of t, in the order of the vertices of the given disk. */
 static int
 restore_order(const Traversal *t, double **x)
 {
@@ -232,7 +234,7 @@ restore_order(const Traversal *t, double **x)
 	return 0;
 }
 
-/* Moves the grid back, and the numbers at the vertices to where d has them. */
+/* Moves the grid back by the offset, and puts u and v in the order of the vertices of d. */
 static int
 restore(const Disk *d, const Traversal *t, const double offset[3], Conformal *c)
 {
@@ -248,10 +250,10 @@ restore(const Disk *d, const Traversal *t, const double offset[3], Conformal *c)
 	return 0;
 }
 
-/* Points are added in the middle of edges; far from the origin rounding would bend the surface
- * there.  So it is mapped near the origin.  Where several choices are equally good, that of lower
- * number is made, and sums are rounded in the order of the numbers; so the vertices and faces are
- * first numbered in a way that does not depend on the numbers in d. */
+/* Points are added on edges; far from the origin, rounding of their coordinates would bend the
+ * surface.  So the surface is mapped near the origin.  Ties are broken in favour of lower numbers, and
+ * sums are rounded in the order of the numbers.  So the vertices and faces are first renumbered in a
+ * way that does not depend on their numbers in d. */
 int
 conformal_grid(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options,
 	Conformal *c, SpdReport *report)

@@ -21,11 +21,12 @@ typedef struct Conformal {
 	                         * chart of the grid */
 	double  certificate;    /* of the map, before the polish */
 	int     vertices;       /* of the mesh on which the map was solved */
-	int     full;           /* 1 if splitting ended because options->map.most was reached */
+	int     full;           /* 1 if splitting ended at about options->map.most vertices, or at the
+	                         * limit of crossings (intrinsicmap.h) */
 	int     overlaid;       /* triangles of the disk that are turned over or flat in (u,v), with
 	                         * straight sides; near them facets are sampled (sampler_overlay) */
 	int     solved_turned;  /* triangles of negative (u,v) area, of the mesh of the solve */
-	Untangled uv;           /* what became of turned triangles of the disk */
+	Untangled uv;           /* how turned triangles of the disk were turned back (untangle.h) */
 	int     polished;       /* rounds of polishing that were kept */
 } Conformal;
 

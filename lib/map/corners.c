@@ -9,8 +9,8 @@ static const double SHORT = 1.5;                /* shortest reach, in mean edge 
 static const double CLEAR = 50*M_PI/180;        /* least turning angle of a corner */
 static const double NEXT = 0.6;                 /* largest ratio of the fifth turn to the fourth */
 
-/* Arc length along the boundary: s[i] is that of loop vertex i from the start, s[nb] the whole
- * length. */
+/* Arc length along the boundary: s[i] at loop vertex i, measured from the start of the loop; s[nb] is
+ * the length of the loop. */
 static double *
 arc_length(const Disk *d)
 {
@@ -37,7 +37,7 @@ scaled_sub3(const double a[3], const double b[3], double scale, double c[3])
 		c[k] *= scale;
 }
 
-/* Adds the normal of face t, times twice its area in squared units, to n at its corners. */
+/* Adds the normal of face t, times twice its area in units of unit^2, to n at its corners. */
 static void
 add_normal(const Mesh *m, const int *t, double unit, double *n)
 {

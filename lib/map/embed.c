@@ -9,10 +9,10 @@
 #include "harmonic.h"
 #include "vertexkey.h"
 
-enum { ROUNDS = 12, FEET = 4 };         /* most rounds of splitting; of them add feet */
+enum { ROUNDS = 12, FEET = 4 };         /* rounds of splitting, at most; the first FEET add feet */
 
-/* Whether any map shrinks edge e to a point, because it is a loop, or puts it on a side of the
- * rectangle, because it is an inner edge between two vertices of that side. */
+/* Whether every map that is linear on edges shrinks inner edge e to a point, because e is a loop, or
+ * puts it on a side of the rectangle, because e joins two vertices of that side. */
 static int
 collapses(const Intrinsic *t, const unsigned char *side, int e)
 {
@@ -42,8 +42,8 @@ sort_by_lower_end(const Intrinsic *t, int *first, int *at)
 	}
 }
 
-/* Marks inner edges that have the same two ends as another edge, because a map makes them coincide.
- * last: workspace, [nv], the last edge to each vertex. */
+/* Marks inner edges that have the same two ends as another edge, because a map that is linear on edges
+ * makes the two coincide.  last: workspace, [nv], the last edge to each vertex. */
 static void
 mark_doubled(const Intrinsic *t, const int *first, const int *at, int *last, unsigned char *marked)
 {

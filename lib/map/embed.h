@@ -24,9 +24,9 @@ void embed_free(Embeddable *s);
 
 /* Makes the triangulation of the mesh, and splits edges that would collapse in a map: loops, edges
  * that share both ends with another edge, and inner edges between vertices of one side.  In the
- * first four rounds, while there are fewer than `most` vertices, feet are added, too
- * (edgepoints_feet).  Edges that would collapse may be left if they are too short to be split
- * (INTRINSIC_SHORTEST), or after 12 rounds.  Returns 0 or EMBED_ENOMEM. */
+ * first four rounds, while there are fewer than `most` vertices, feet of perpendiculars are added, too
+ * (edgepoints_feet).  Edges that would collapse remain if they are too short to be split
+ * (INTRINSIC_SHORTEST), and may remain after 12 rounds.  Returns 0 or EMBED_ENOMEM. */
 int  embed(Embeddable *s, int most);
 
 /* Adds points to the mesh; embed must follow, for a new triangulation.  Returns the number of new

@@ -37,10 +37,9 @@ void gridlaplace_free(GridLaplace *l);
 void gridlaplace_apply(const GridLaplace *l, const double *x, double *y);
 
 /* The harmonic f that is 0 on the side i = 0 and 1 on i = nu-1 (axis 0), or 0 on j = 0 and 1
- * on j = nv-1 (axis 1), free on the other two; and its energy.  Conjugate gradients,
- * preconditioned by the Laplacian of the plane (planelaplace.h).  They stop after at most
- * 200 steps; on grids far from conformal that may be before they have converged.  Returns 0 or
- * GRIDLAPLACE_ENOMEM. */
+ * on j = nv-1 (axis 1), free on the other two; and its energy.  Solved by conjugate gradients,
+ * preconditioned by the Laplacian of the plane (planelaplace.h), in at most 200 steps; on grids far
+ * from conformal they may not have converged then.  Returns 0 or GRIDLAPLACE_ENOMEM. */
 int  gridlaplace_harmonic(const GridLaplace *l, int axis, double *f, double *energy);
 
 #endif

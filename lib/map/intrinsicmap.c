@@ -25,8 +25,8 @@ term(const IntrinsicMap *m, int f)
 	    intrinsic_area(l0, l1, l2));
 }
 
-/* Marks the longest edge of each triangle that has one of the largest terms (worst.h); all longest
- * edges, if several are equal up to rounding. */
+/* Marks the longest edge of each triangle that has one of the largest terms (worst.h); if several
+ * edges are longest up to rounding, all of them. */
 static int
 mark_worst(const IntrinsicMap *m, int most, unsigned char *marked)
 {

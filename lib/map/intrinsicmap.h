@@ -18,8 +18,8 @@ enum { INTRINSICMAP_CROSSINGS = 4 };
  * with edges of the triangulation.  Near a vertex with many edges there are far more crossings than
  * vertices.
  *
- * vertex: the corners, as vertex numbers.  Returns 0, or SPD_ENOMEM, SPD_EINDEFINITE,
- * SPD_ELARGE; on an error m holds nothing to free. */
+ * vertex: the corners, as vertex numbers.  Returns 0, SPD_ENOMEM or SPD_EINDEFINITE; on an error m
+ * holds nothing to free. */
 int  intrinsic_map(const Disk *d, const int vertex[4], const AdaptOptions *options, IntrinsicMap *m,
 	SpdReport *report);
 void intrinsic_map_free(IntrinsicMap *m);

@@ -15,7 +15,7 @@ typedef struct IntrinsicMap {
 	int        turned;      /* triangles of s.t with (u,v) area < -1e-14 T */
 } IntrinsicMap;
 
-/* Computes the map by linear elements.  Returns 0, or SPD_ENOMEM, SPD_EINDEFINITE, SPD_ELARGE. */
+/* Computes the map by linear elements.  Returns 0, SPD_ENOMEM or SPD_EINDEFINITE. */
 int intrinsic_solve(IntrinsicMap *m, SpdReport *report);
 
 /* Solves again with quadratic elements.  The new map replaces the old one if it has a smaller

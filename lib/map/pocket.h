@@ -1,4 +1,4 @@
-/* pocket.h - parts of a disk that no map onto a rectangle with straight edges can show. */
+/* pocket.h - the parts of a disk behind inner edges between two vertices of one side. */
 #ifndef POCKET_H
 #define POCKET_H
 
@@ -8,7 +8,7 @@ enum { POCKET_ENOMEM = -1 };
 
 /* An inner edge between two vertices of one side of the rectangle lies on that side.  The part of
  * the disk behind it, its pocket, lies between the edge and the side, so it has no area, or some of
- * its triangles are turned over.  This adds the bit of the side to all vertices of its pockets.
+ * its triangles are turned over.  pocket_sides adds the bit of the side to all vertices of its pockets.
  *
  * corner  in      indices into the boundary loop (corners.h)
  * side    in/out  [d->m.nv] of harmonic_sides

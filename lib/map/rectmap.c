@@ -9,7 +9,7 @@
 
 enum { NUMBERS = 40 };  /* doubles per vertex for matrix and elimination order, about */
 
-/* What the systems for u and v1 share. */
+/* The data shared by the systems for u and v1. */
 typedef struct System {
 	Cotangent      C;
 	Harmonic       h;

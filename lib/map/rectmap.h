@@ -2,8 +2,8 @@
  *
  * Four corners make the disk a quadrilateral.  u is harmonic, 0 on its left side, 1 on its
  * right side, and free on the others.  v1 is harmonic, 0 on the bottom, 1 on the top.  The
- * Dirichlet energies, of the metric (3) of the mesh, bound the conformal modulus from both sides,
- * E(u) >= T >= 1/E(v1), so
+ * Dirichlet energies, of the metric (3) of the mesh, bound the conformal modulus T* of the
+ * quadrilateral, E(u) >= T* >= 1/E(v1), so
  *
  *   map          p -> (u,v),   v = T v1                                      (4)
  *   conformal    T = sqrt(E(u)/E(v1))                                        (6)

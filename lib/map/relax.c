@@ -6,9 +6,9 @@
 #include "relax.h"
 #include "../base/vec3.h"
 
-enum { SWEEPS = 16 };                   /* times the square of the rings: information crosses a region
-                                         * of that size in as many sweeps, up to a factor */
-enum { LAST = 20000 };                  /* sweeps when the region cannot grow any more */
+enum { SWEEPS = 16 };                   /* sweeps over a region, divided by the square of its rings:
+                                         * information crosses n rings in about n^2 sweeps */
+enum { LAST = 20000 };                  /* sweeps once there are 32 rings, or the region cannot grow */
 static const double WORK = 1e8;         /* triangles in all sweeps together: a few seconds */
 static const double LEAST = 1e-2;       /* smallest weight on the surface / largest at that vertex:
                                          * thin triangles would draw vertices almost to a point */
@@ -184,8 +184,8 @@ area(const double p[2], const double a[2], const double b[2])
 	return (a[0] - p[0])*(b[1] - p[1]) - (b[0] - p[0])*(a[1] - p[1]);
 }
 
-/* The share of the way from p to the place of vertex i at which the first triangle at it has only
- * FLOOR of its area before the way back; at most 1. */
+/* The largest share, at most 1, of the way from p back to the place of vertex i at which every
+ * triangle at i still has FLOOR times its area before relax_back. */
 static double
 way(const Tangle *t, int i)
 {

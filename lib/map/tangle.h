@@ -37,12 +37,12 @@ typedef struct Tangle {
  * Triangles that are flat beyond doubt are not: all corners on one side, or two at one place. */
 int  tangle_bad(const Tangle *t, const double *p, int f);
 
-/* The number of bad triangles at vertex i; of all. */
+/* The number of bad triangles at vertex i; the number of all bad triangles. */
 int  tangle_star(const Tangle *t, const double *p, int i);
 int  tangle_count(const Tangle *t);
 
-/* Adds to queue[0..n-1] all vertices at most `rings` edges away from them, with 1 in t->ball.
- * Returns the number of all. */
+/* Adds to queue[0..n-1] all vertices at most `rings` edges away from these, and sets t->ball to 1 at
+ * all of them.  Returns the length of the queue. */
 int  tangle_ball(Tangle *t, int n, int rings);
 
 /* Sets t->ball to 0 for queue[0..n-1]. */

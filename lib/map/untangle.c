@@ -12,7 +12,7 @@
 
 static const double APART = 1e-9;       /* distance of vertices of a side that had the same place */
 
-/* Brings all places into the rectangle, and those of the vertices of its sides onto them. */
+/* Clamps all places to the rectangle, and puts the vertices of each side onto it. */
 static void
 put_on_sides(const Tangle *t, double T)
 {
@@ -27,8 +27,8 @@ put_on_sides(const Tangle *t, double T)
 	}
 }
 
-/* Spreads the m places at x evenly over the interval that they take, which is first made a little
- * longer, but not as far as the places x[-1] and x[m] beside it. */
+/* Spreads the m places at x evenly over their interval, made a little longer first, but not as far as
+ * the neighbouring places x[-1] and x[m]. */
 static void
 spread(int m, double *x)
 {
@@ -44,8 +44,8 @@ spread(int m, double *x)
 		x[k] = lo + (hi - lo)*(k + 0.5)/m;
 }
 
-/* Sorts the places x[0] < .. < x[n] along a side.  Those that are not above all before them and below
- * all behind them are spread.  below: workspace, [n] */
+/* Makes the places x[0..n] along a side ascending; x[0] and x[n] stay.  Runs of places that are not
+ * above all earlier and below all later ones are spread evenly.  below: workspace, [n] */
 static void
 sort_side(int n, double *x, double *below)
 {

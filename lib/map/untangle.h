@@ -14,12 +14,12 @@ typedef struct Untangled {
 	double farthest;        /* the largest distance from the given place */
 } Untangled;
 
-/* Moves vertices near triangles that are turned over, as few and as little as is found to be enough.
- * All others keep their places.  Vertices of a side stay on that side, corners do not move.
+/* Moves vertices near triangles that are turned over, and few others.  Vertices of a side stay on that
+ * side; corners do not move.
  *
  * corner   indices into the boundary loop (corners.h)
  * T        height of the rectangle
- * u, v     in/out  [nv]; first brought into the rectangle, those of the sides onto these
+ * u, v     in/out  [nv]; first clamped to the rectangle, and put onto the sides at their vertices
  * r        out
  *
  * Returns 0 or UNTANGLE_ENOMEM. */

@@ -25,9 +25,9 @@ sum_of_distances(const Mesh *m, int i)
 }
 
 /* The index of the first corner, and the step to the next in an order that depends on the surface
- * alone.  The first is the one with the largest sum of distances from all vertices; then the loop is
- * followed towards that of its two neighbours for which this sum is larger.  (The four corners alone
- * do not tell which is which if they form a rectangle.) */
+ * alone.  The first corner is the one with the largest sum of distances from all vertices; the next is
+ * the one of its two neighbours for which this sum is larger.  (The positions of the four corners
+ * alone would not do: if they form a rectangle, they look alike.) */
 static int
 first_corner(const Mesh *m, const int vertex[4], int *step)
 {

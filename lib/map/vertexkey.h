@@ -15,8 +15,8 @@
  * Returns [m->nv], to be freed; NULL if there is no memory. */
 double *vertex_keys(const Mesh *m, const int vertex[4]);
 
-/* The index, 0 to 3, of the corner from which the vertices are farthest in the mean; of several, up to
- * rounding, the first. */
+/* The index, 0 to 3, of the corner with the largest mean distance from the vertices; the first of
+ * several that are equal up to rounding. */
 int     vertex_first(const Mesh *m, const int vertex[4]);
 
 #endif

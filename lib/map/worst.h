@@ -8,10 +8,9 @@
 double worst_term(const int c[3], const double *u, const double *v, double gaa, double gab, double gbb,
 	double area);
 
-/* A bound: triangles whose terms reach it are to be split.  They are the fewest whose terms sum to
- * 0.7 of all terms, but at most about `most`.  The bound is a little below the smallest of their
- * terms, so that terms that are equal up to rounding are all above it or all below, whatever the
- * numbering.
+/* The bound from which on triangles are to be split: their terms are the fewest that sum to 0.7 of all
+ * terms, but at most about `most`.  The bound is a little below the smallest of these, so that terms
+ * that are equal up to rounding are on the same side of it, whatever the numbering.
  *
  * term    in  [nf] terms of the certificate (adapt.h)
  * sorted      [nf] workspace

@@ -13,7 +13,7 @@ enum {
 
 typedef struct Anchor {
 	size_t  n, *node;
-	double *at;             /* [n][3] */
+	double *at;             /* [n][3] the stored positions of these nodes */
 } Anchor;
 
 /* Stores the positions of the border nodes of phi[3][nv][nu], or of all nodes if border is 0.
@@ -21,8 +21,8 @@ typedef struct Anchor {
 int  anchor_init(Anchor *a, Chart g, int border, const double *phi);
 void anchor_free(Anchor *a);
 
-/* Moves phi rigidly so that these nodes are as near as possible to the stored positions
- * (procrustes.h).  Returns 0, ANCHOR_ENOMEM or ANCHOR_EVALUE. */
+/* Moves phi rigidly so that its nodes a->node come as near as possible to the stored positions, in
+ * the least squares sense (procrustes.h).  Returns 0, ANCHOR_ENOMEM or ANCHOR_EVALUE. */
 int anchor_place(const Anchor *a, Chart g, double *phi);
 
 #endif

@@ -9,8 +9,9 @@
 #include "../poisson/plate.h"
 #include "cornersmooth.h"
 
-static const double DEGENERATE = 0.5;   /* o at the innermost node below which lambda goes to 0 */
-enum { LEAST = 3 };                     /* radius, in cells, from which there is something to smooth */
+static const double DEGENERATE = 0.5;   /* lambda counts as going to 0 at a corner if the weight o of
+                                         * the inner node next to it is below this */
+enum { LEAST = 3 };                     /* the smallest radius, in cells, with cells to smooth */
 
 static int
 wants(const Misfit *m, int k, const double *const phi[3])
@@ -22,7 +23,7 @@ wants(const Misfit *m, int k, const double *const phi[3])
 	return (!m->place && m->o[corner_node(m->g, k, 1, 1)] < DEGENERATE) || corner_folds(m->g, k, phi, radius);
 }
 
-/* Sets z to the share of Delta phi that is taken away around corner k. */
+/* Sets z to the share of Delta phi that d takes away around corner k: -Delta d of cornersmooth.h. */
 static void
 add_source(Chart g, int k, const double *const phi[3], double *z)
 {
@@ -38,7 +39,7 @@ add_source(Chart g, int k, const double *const phi[3], double *z)
 		}
 }
 
-/* phi becomes the place around the corners. */
+/* Blends phi into the place around the corners. */
 static void
 blend_with_place(const Misfit *m, double *phi)
 {
@@ -53,8 +54,9 @@ blend_with_place(const Misfit *m, double *phi)
 	}
 }
 
-/* If the border is ragged, the cell in corner k may still be folded.  Its inner node then goes halfway
- * from the corner to the next node of the diagonal. */
+/* If the border is ragged, smoothing may leave the cell in corner k folded.  So if phi, before the
+ * smoothing, is folded there, the inner node of that cell is put halfway between the corner and the
+ * next node of the diagonal. */
 static void
 unfold(Chart g, int k, const double *const phi[3], double *moved)
 {
@@ -90,8 +92,8 @@ smooth(const Misfit *m, const int which[4], const double *phi, double *to)
 	return 0;
 }
 
-/* Takes the corners that smoothing does not help out of `which`: those that keep as many folded cells, or
- * gain some.  Returns their number. */
+/* Clears in `which` the corners that smoothing does not help: those with folded cells that do not become
+ * fewer, and those that gain folded cells.  Returns their number. */
 static int
 leave_out(Chart g, int which[4], const double *phi, const double *smoothed)
 {

@@ -1,13 +1,13 @@
 /* cornersmooth.h - smooths the corners of a fitted surface, where its cells may fold.
  *
- * Where the boundary of the mesh is smooth at a corner of the rectangle, lambda goes to 0 there, and
- * with it all residuals: folded cells cost nothing.  What holds there is that phi is about harmonic,
- * like z^2 at a corner whose angle is doubled.  So phi gains the field d,
+ * Where the boundary of the mesh is smooth at a corner of the rectangle, lambda and all residuals go to
+ * 0 there, so folded cells cost nothing.  But near such a corner phi is nearly harmonic, like z^2, which
+ * doubles the angle.  So the field d is added to phi,
  *
- *   Delta d = -(1 - x) Delta phi,      d = 0 on the border,
+ *   Delta d = -x Delta phi,      d = 0 on the border,
  *
- * 1 - x being corner_share (corner.h).  Delta phi then goes to 0 at the corner, and d, which is harmonic
- * elsewhere, leaves no seam.  With a place, phi first becomes the place there.
+ * with x = corner_share (corner.h).  Delta (phi + d) then goes to 0 at the corner; d is harmonic where x
+ * is 0, so there is no seam.  If the misfit has a place, phi is first blended into it around the corners.
  * doc/mathematics.md 6.9. */
 #ifndef CORNERSMOOTH_H
 #define CORNERSMOOTH_H
@@ -16,9 +16,10 @@
 
 enum { CORNERSMOOTH_ENOMEM = -1 };
 
-/* Smooths the corners where a cell is folded, or, without a place, where the weight o at the innermost
- * node is less than 1/2.  A corner that would keep all its folded cells stays as it is: there the grid
- * is too coarse for the surface.  Returns 0 or CORNERSMOOTH_ENOMEM. */
+/* Smooths the corners where a cell is folded, or, without a place, where the weight o at the inner node
+ * next to the corner is less than 1/2.  Corners where smoothing would not lower the number of folded
+ * cells, or would fold some, stay as they are: there the grid is too coarse for the surface.  Returns 0
+ * or CORNERSMOOTH_ENOMEM. */
 int corners_smooth(const Misfit *m, double *phi);
 
 #endif

@@ -127,8 +127,8 @@ remember(Past *past, double E, double moved)
 
 /* A shortened step says nothing about convergence, unless the last ten steps together barely lowered
  * E or barely moved: with data that belong to no surface, steps can creep for ever.  Nor does a step
- * only just below the tolerance while E is still falling fast.  If CG reached its limit of steps, it
- * may have missed slow components; then such a step counts only when E hardly falls any more.
+ * only just below the tolerance while E is still falling fast.  If CG reached its limit of steps, the
+ * step may lack slow components; then it counts only when E hardly falls any more.
  *
  * Where E is 0 up to rounding, no step can lower it.  Returns FIT_CONVERGED, FIT_CREPT or 0. */
 static int
@@ -148,7 +148,7 @@ converged(const FitOptions *o, const Outcome *is, double E, size_t nodes, double
 	    ? FIT_CONVERGED : 0;
 }
 
-/* E over the number of nodes, with the sharp weights and without the place; those of m are kept. */
+/* E over the number of nodes, with the sharp weights and without the place.  m is restored after. */
 static double
 mean_misfit(Misfit *m, const double *phi)
 {

@@ -16,9 +16,9 @@ enum { FIT_ENOMEM = -1 };
 /* Why the steps ended. */
 enum {
 	FIT_CONVERGED = 1,      /* the last step was small, or was predicted to lower E hardly */
-	FIT_CREPT               /* ten steps lowered E hardly, or together moved the surface by less than
-	                         * the tolerance, but none of them came to the minimum of its quadratic
-	                         * model: the surface may still be far from that of least E */
+	FIT_CREPT               /* the last ten steps hardly lowered E, or moved the surface by less than
+	                         * the tolerance in all, but the last was shortened: the surface may
+	                         * still be far from that of least E */
 };
 
 /* Progress, after each step and at the end. */
@@ -34,8 +34,9 @@ typedef struct FitProgress {
 	size_t worst;                   /* without convergence: the node of the largest residual */
 } FitProgress;
 
-/* The misfit up to which a surface with exact residues is the one they come from.  It is the square of an
- * error: of all meshes at 257 and 513, 10 or more times that of (largest error)^2 over the area. */
+/* A surface fitted to exact residues counts as the one they come from if its misfit is at most this.
+ * Misfits are squares of errors: on all test meshes, at 257 x 257 and 513 x 513 nodes, the misfit is 10
+ * or more times the square of the largest error over the area. */
 #define FIT_EXACT 1e-11
 
 typedef struct FitWeights {
@@ -47,9 +48,10 @@ typedef struct FitOptions {
 	int    most;                    /* steps at most */
 	double flat;                    /* converged when the predicted decrease is below flat*E */
 	int    sharpen;                 /* adapt w and alpha to the data */
-	const FitWeights *exact;        /* or NULL.  Residues of the same surface as lambda and H, where E is 0
-	                                 * for any weights: these are taken, and once the misfit is FIT_EXACT
-	                                 * a step below the tolerance counts however fast E falls */
+	const FitWeights *exact;        /* NULL, or these weights are used: the residues are of the same
+	                                 * surface as lambda and H, where E is 0 for any weights.  Once E is
+	                                 * at most FIT_EXACT per node, any step below the tolerance counts
+	                                 * as converged, however fast E falls */
 	void (*report)(void *ctx, const FitProgress *at);       /* or NULL */
 	void  *ctx;
 } FitOptions;

@@ -1,17 +1,17 @@
-/* fitexact.c - several ways to the surface where E is 0. */
+/* fitexact.c - fits with several sets of weights, until one finds the surface where E is 0. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "fitexact.h"
 
-/* There is no truncation to allow for, so w is sharp, and with alpha = 1 the operator is near the plate of
- * the preconditioner.  The surface has E = 0 in each way; the steps of one may lead to another minimum,
- * mostly of one node whose normal is turned over, where those of the other do not. */
+/* There is no truncation to allow for, so w is sharp; with alpha = 1 the operator is near the plate of
+ * the preconditioner.  The surface has E = 0 with both sets of weights.  One set may lead to another
+ * minimum, mostly with the normal turned over at one node, where the other set does not. */
 static const struct Way {
 	FitWeights weights;
 	double     truncation;  /* misfit.h */
 } WAYS[] = { { { 200, 1 }, 0.3 }, { { 100, 0.1 }, 1 } };
-enum { COUNT = sizeof WAYS/sizeof *WAYS, FEW = 40 };    /* FEW: steps of all ways but the last */
+enum { COUNT = sizeof WAYS/sizeof *WAYS, FEW = 40 };    /* FEW: most steps, except with the last set */
 
 static int
 one_way(const struct Way *way, Chart g, const double *lambda2, const double *l2H, const Residue *r,

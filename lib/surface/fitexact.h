@@ -4,10 +4,10 @@
 
 #include "fit.h"
 
-/* lambda2, l2H  [nv][nu] lambda^2 and lambda^2 H, r its residues, all of one surface on the grid g; the
- *               boundary is held
- * o, phi, at    as for fit; at->misfit <= FIT_EXACT if the surface is found; the solves are added to
- *               at->cost
+/* lambda2, l2H  [nv][nu] lambda^2 and lambda^2 H of a surface on the grid g
+ * r             the residues of the same surface; r->truncation is not read
+ * o, phi, at    as for fit, the boundary held; o->exact is not read.  at->misfit <= FIT_EXACT if the
+ *               surface is found; the solves are added to at->cost
  *
  * Returns as fit. */
 int fitexact(Chart g, const double *lambda2, const double *l2H, const Residue *r, const FitOptions *o,

@@ -16,10 +16,13 @@ enum { MOST_CG = 60 };
 enum { MOST_CG_FREE = 20, MOST_CG_NEAR = 400 };
 static const double WORTH_NEAR = 1e-6;
 static const double REDUCTION = 0.1;    /* of the preconditioned residual, in a Gauss-Newton step */
-static const double WORTH = 1e-3;       /* least share of the decrease a CG step must add, */
-static const double WORTH_E = 0.1;      /* or least share of E, over the tolerance */
-/* The steps on a grid that do not deflate the patch: the first, whose start is interpolated, can
- * lead to another of several surfaces.  With residues only the last steps take many CG steps. */
+/* CG ends when one of its steps lowers E by less than WORTH times the decrease so far; with a held
+ * boundary, by less than that plus WORTH_E E times the tolerance. */
+static const double WORTH = 1e-3;
+static const double WORTH_E = 0.1;
+/* The first Gauss-Newton steps on a grid, which do not deflate the patch: deflation in the step from
+ * the interpolated start can lead to another of several surfaces.  With residues, only the last
+ * Gauss-Newton steps need many CG steps. */
 enum { PLAIN = 1, PLAIN_EXACT = 4 };
 
 void
@@ -93,7 +96,8 @@ prepare_patch(FitSolve *k, const double *phi)
 }
 
 /* Deflation: solves for d on the patch and updates r.  Returns the predicted decrease of E.  Its
- * square root stands for the length of d.  *out is set if that is the radius, where d then ends. */
+ * square root is used as the length of d.  If that is the radius or more, d is cut to the radius and
+ * *out is set. */
 static double
 solve_patch(FitSolve *k, const double *phi, int *out)
 {

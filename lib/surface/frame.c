@@ -6,7 +6,7 @@
 #include "frameband.h"
 #include "../base/vec3.h"
 
-enum { FRAME_HELD = 2 };        /* rings where frame and second form are known */
+enum { FRAME_HELD = 2 };        /* rings where frame and second form are held; see from_band */
 
 /* The data of the three linear systems. */
 typedef struct Given {
@@ -236,9 +236,9 @@ solve(Given *s, int frame_held, int phi_held, double *const phi[3], SpdReport *r
 	return e ? e : positions(s, phi_held, phi, report);
 }
 
-/* If the band lies on the grid itself, frame and second form are known on the second ring; the
- * outermost then lies in no cell with a free node, and its frame is left 0.  If the band is of a
- * finer grid, they are taken on the outermost ring, to first order in the steps. */
+/* If the band lies on the grid itself, frame and second form are known on the second ring.  The
+ * outermost ring then lies in no cell with a free node, and its frame stays 0.  If the band is of a
+ * finer grid, frame and second form are read on the outermost ring, to first order in the steps. */
 static int
 from_band(Chart fine, double *const band[3], Given s, double *const phi[3], int *at, SpdReport *report)
 {

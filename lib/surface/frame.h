@@ -8,15 +8,15 @@
  *               the same for x, y and z: one matrix, three right-hand sides         (13), (30)
  *   position    phi_u = p, phi_v = q                                                    (31)
  *
- * The first replaces (15), the paper's Poisson equation for mu = (D - i M)/2, which follows from
- * it by one more differentiation.
+ * The Codazzi system replaces (15), the paper's Poisson equation for mu = (D - i M)/2, which follows
+ * from it by one more differentiation.
  *
- * Between the last two, p and q are made orthogonal and of length lambda.  The linear system
- * does not contain these conditions, and where H is large it shrinks the frame (the area of
- * "mkmesh -n 60000 cortex" at 129 x 129: 139; without this step 105, with it 133).
+ * Before the position, p and q are made orthogonal and of length lambda.  The linear system does not
+ * contain these conditions, and where H is large it shrinks the frame ("mkmesh -n 60000 cortex" at
+ * 129 x 129 has area 139; the result has 105 without this step, 133 with it).
  *
  * phi is given on the three outer rings (the neighbourhood V of Theorem 1, (8)); they determine the
- * frame and the second fundamental form on the outer two.  The chart is a rectangle.
+ * frame and the second fundamental form on the second ring.  The chart is a rectangle.
  */
 #ifndef FRAME_H
 #define FRAME_H

@@ -7,7 +7,8 @@
 #include "misfitnode.h"
 #include "misfitplace.h"
 
-static const double FINEST = 2;         /* H is clipped where n would turn by more over a cell */
+static const double FINEST = 2;         /* |H| is clipped so that n turns by at most this angle, in
+                                         * radians, over a cell */
 static const double BLUR = 1e-6;        /* smooths n where phi_u x phi_v is small, misfit.h */
 
 static double

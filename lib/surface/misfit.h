@@ -49,20 +49,21 @@ enum { MISFIT_ENOMEM = -1 };
  * With them every line of E is 0 for the surface they come from. */
 typedef struct Residue {
 	const double *nu[2], *tau[2];
-	double truncation;              /* factor of q^2 in o, 0 .. 1: with residues o only chooses the way to
-	                                 * the minimum, which is 0 */
+	double truncation;              /* factor of q^2 in o, 0 .. 1.  With residues the minimum of E is 0
+	                                 * for any o; o only changes the steps that lead to it */
 } Residue;
 
-/* Positions that hold the surface where it is in the long waves:  E gains the line
+/* A place: positions that the long waves of the surface follow.  E gains the line
  *
  *   sum over the inner nodes of kappa |phi - place|^2 T/<lambda^2>
  *
- * and the third line loses all but a hundredth.  kappa is the fourth power of a wave number, like the
- * stiffness of the first line: waves shorter than that follow lambda and H, longer ones the place.
- * doc/mathematics.md 6.8. */
+ * and the third line is multiplied by 0.01.  The first line resists a wave in proportion to the fourth
+ * power of its wave number.  So with kappa the fourth power of a wave number, waves above that number
+ * follow lambda and H, and waves below it follow the place.  doc/mathematics.md 6.8. */
 typedef struct MisfitPlace {
 	const double *phi;              /* [3][nv][nu] */
-	double        s;                /* the place has no waves of wave number above 1/s on the surface */
+	double        s;                /* a length: the place has hardly any waves of wave number above 1/s,
+	                                 * in radians per unit of length on the surface */
 } MisfitPlace;
 
 typedef struct Misfit {
@@ -77,8 +78,8 @@ typedef struct Misfit {
 	int            free;            /* the border nodes are unknowns */
 	const double  *place;           /* or NULL */
 	double        *hold;            /* [nv][nu] kappa T/<lambda^2>, or NULL */
-	double         stiffness;       /* of the hold, the same for all nodes: for the preconditioner */
-	double         stretch;         /* share of the third line */
+	double         stiffness;       /* the part of hold that is equal at all inner nodes, for the plate */
+	double         stretch;         /* factor of the third line: 1, or 0.01 with a place */
 } Misfit;
 
 /* Copies lambda2 = lambda^2 > 0 and l2H = lambda^2 H; keeps the pointer residue (or NULL).  The
@@ -91,11 +92,11 @@ void misfit_free(Misfit *m);
  * conformal metric. */
 void misfit_set_free(Misfit *m);
 
-/* Holds the surface at a place, whose pointer is kept; or not (NULL), until it is held again.  Returns
- * 0 or MISFIT_ENOMEM. */
+/* Holds the surface at a place and keeps the pointer place->phi; NULL: does not hold it any more.
+ * Returns 0 or MISFIT_ENOMEM. */
 int  misfit_hold(Misfit *m, const MisfitPlace *place);
 
-/* E, and the node with the largest contribution: an inner one unless the boundary is free. */
+/* E; and the node with the largest contribution to it, an inner one unless the boundary is free. */
 double misfit_energy(const Misfit *m, const double *phi);
 size_t misfit_worst(const Misfit *m, const double *phi);
 

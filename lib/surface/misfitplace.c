@@ -6,15 +6,15 @@
 #include "misfitnode.h"
 #include "misfitplace.h"
 
-/* The wave number up to which the place holds everywhere is the geometric mean of 1/s, which its filter
- * left, and of 8 cycles over the square root of the area: lambda and H do not determine longer waves
- * well, as an error of H there is magnified by 1/k^2.  Up to 1/s alone, surfaces with folds are held
- * to what a filter of positions makes of them; up to 8 cycles alone, a face at a small scale moves by
- * a fifth more than it need. */
+/* The wave number up to which the place holds everywhere is the geometric mean of two: 1/s, up to which
+ * the filter keeps waves of the place, and 8 cycles per square root of the area.  lambda and H do not
+ * determine long waves well, since an error of H is magnified by 1/k^2, k the wave number.  If the
+ * place held up to 1/s, surfaces with folds would get the defects of filtered positions; if up to 8
+ * cycles, a face at a small scale would move by a fifth more than with the mean. */
 static const double CYCLES = 8;
-/* Where the grid does not resolve the surface, and at the border, where H is extrapolated and its
- * filter treats the side otherwise than that of the place, the place also holds waves of seven nodes.
- * This stiffness halves with each ring of nodes. */
+/* The place also holds waves down to a length of seven steps where the grid does not resolve the
+ * surface, and at the border.  There H is extrapolated, and its filter is free at the sides while that
+ * of the place is held.  At the border this stiffness halves with each ring of nodes. */
 static const double SHORTEST = 7, RING = 0.5;
 static const double STRETCH = 0.01;     /* share of the third line: lambda counts less than the place */
 
@@ -37,8 +37,8 @@ ring(Chart g, int i, int j)
 	return v.to < g.nv && g.nv - 1 - j < r ? g.nv - 1 - j : r;
 }
 
-/* The fourth power of that wave number, per unit of u.  There the mean of lambda over s is 1/s, and
- * 1/sqrt(T) is one per square root of the area. */
+/* The fourth power of that geometric mean, in radians per unit of u.  In this unit 1/s is
+ * <lambda^2>^(1/2)/s, and one cycle per square root of the area is 2 pi/sqrt(T). */
 static double
 held_everywhere(const Misfit *m, double s)
 {

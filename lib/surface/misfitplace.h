@@ -7,7 +7,7 @@
 /* The sum of row j of that line. */
 double misfit_place_row(const Misfit *m, const double *phi, int j);
 
-/* g += the hold times d; without d, times phi - place. */
+/* Adds m->hold times d to g, or m->hold times phi - place if d is NULL. */
 void misfit_place_apply(const Misfit *m, const double *phi, const double *d, double *g);
 
 #endif

@@ -1,7 +1,7 @@
 /* misfitweight.c - the weight of a node in the energy. */
 #include "misfitborder.h"
 
-static const double LEAST = 1e-4;       /* of lambda^2/<lambda^2>; below it o is cut */
+static const double LEAST = 1e-4;       /* lambda^2/<lambda^2> below which o is lowered (misfit.h) */
 
 double
 misfit_step2(Chart g)

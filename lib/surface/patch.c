@@ -5,7 +5,7 @@
 #include "../grid/stencil.h"
 #include "patchnode.h"
 
-static const double RESOLVED = 0.3;     /* o from which the plate is good enough */
+static const double RESOLVED = 0.3;     /* weight o from which the plate preconditions well enough */
 static const double SHARE = 0.01;       /* largest fraction of nodes chosen, without neighbours */
 
 
@@ -47,7 +47,7 @@ beside(Chart g, int i, int j, int k)
 	return (int)stencil_node(g, i + di[k], j + dj[k], &sign);
 }
 
-/* Marks the nodes of S by number = 0, the others by -1. */
+/* Numbers the nodes of S from 0 on; number is -1 at all others.  Returns 0 or PATCH_ENOMEM. */
 static int
 choose(Patch *p)
 {
@@ -90,7 +90,8 @@ touching(const Patch *p, int i, int j)
 	return count;
 }
 
-/* Lists the rows: pass 0 those of the edge, pass 1 the others.  Counts only if p->row is NULL. */
+/* Lists the rows: in pass 0 those that depend on nodes outside S too, in pass 1 the others.  Only counts
+ * them if p->row is NULL. */
 static void
 list_rows(Patch *p)
 {
@@ -114,9 +115,9 @@ list_rows(Patch *p)
 	}
 }
 
-/* The pattern of A_SS: column b has the blocks list[b][0], list[b][1], .. of three rows. */
-enum { MOST = 32 };             /* room for the blocks of a column: nodes that share a five-point
-                                 * stencil with its node, at most 13 on the rectangle */
+/* The pattern of A_SS, in 3 x 3 blocks: column b has blocks in the rows list[b][0], list[b][1], .. */
+enum { MOST = 32 };             /* room for the blocks of a column: one for each node that shares a
+                                 * five-point stencil with its node; at most 13 on the rectangle */
 
 static int
 find(const int *list, int count, int a)
@@ -140,8 +141,8 @@ insert(int *list, int *count, int a)
 	++*count;
 }
 
-/* The numbers of the two nodes of pair k of row r, of 25; returns whether it is of the lower
- * triangle. */
+/* Sets a and b to the numbers of the two nodes of pair k of row r, 0 <= k < 25.  Returns whether both
+ * are in S and block (a,b) is in the lower triangle. */
 static int
 pair(const Patch *p, int r, int k, int *a, int *b)
 {

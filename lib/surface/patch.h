@@ -1,7 +1,7 @@
-/* patch.h - the nodes that the grid hardly resolves, whose equations are solved directly.
+/* patch.h - direct solution of the equations of the nodes that the grid hardly resolves.
  *
  * The plate (plate.h) preconditions a node of weight o as if its stiffness were 1, but it is about
- * o^2.  A few nodes of small o (nostrils, tips of ears) so take most of the CG steps.  Let S be
+ * o^2.  So a few nodes of small o (nostrils, tips of ears) cause most of the CG steps.  Let S be
  * these nodes, A = J'J the matrix of a Gauss-Newton step (misfit.h), and A_SS its part on S,
  * factored.  Deflation starts CG where the residual vanishes on S, and corrects every direction so
  * that it stays 0 there: CG then only sees the Schur complement on the other nodes.
@@ -26,7 +26,8 @@ typedef struct Patch {
 	int    *node;                   /* [nodes] */
 	int    *row;                    /* [rows] */
 	int    *beside;                 /* [rows][5] the node itself, and its neighbours */
-	int    *place;                  /* [rows][5][5] of their block in its column of A_SS */
+	int    *place;                  /* [rows][5][5] for two of these nodes, the position of their block in
+	                                 * its column of A_SS; -1 if it is not in the lower triangle of A_SS */
 	double *J;                      /* [rows][6][15] derivatives of the weighted residuals */
 	double *s;                      /* [edge][15] workspace of patch_correct */
 	double *b;                      /* [3*nodes] */

@@ -4,10 +4,11 @@
 
 #include "patchnode.h"
 
-static const double SHIFT = 1e-12;      /* added to the diagonal, over its maximum: nodes of weight 0 */
+static const double SHIFT = 1e-12;      /* times the largest diagonal entry, added to the diagonal:
+                                         * A_SS is singular at nodes of weight 0 */
 
-/* The derivatives of the weighted residuals of node q with respect to the nodes beside it.  The
- * four lanes have the same node, and each another residual. */
+/* The derivatives of the weighted residuals of node q with respect to q and its four neighbours.  Each
+ * of the four lanes computes a different residual of this node. */
 static void
 derivatives(const Misfit *m, const double *phi, int q, double *J)
 {

@@ -12,12 +12,12 @@
 #include "surface.h"
 
 enum { COARSEST = 65*65 };      /* fewest nodes of a coarse grid */
-static const double SQUARE = M_SQRT2;   /* up to this ratio of the steps both axes are coarsened: above, cells
-                                         * are nearer to squares if only one is */
+static const double SQUARE = M_SQRT2;   /* below this ratio of the steps both axes are coarsened; above,
+                                         * cells become more nearly square if only one is */
 static const double ENOUGH = 1e-4;      /* tolerance of coarse grids */
 enum { ROUGH = 12 };            /* most steps on coarse grids */
-/* The share of E that is not worth another step: on the finest grid, and on coarse ones, where the
- * interpolation to the next grid changes E by far more. */
+/* The fit ends when the predicted decrease is below this share of E: on the finest grid, and on coarse
+ * ones, where the interpolation to the next grid changes E by far more. */
 static const double FLAT = 1e-6, FLAT_COARSE = 1e-3;
 static const double WHOLE[2] = { 1, 1 };
 
@@ -33,7 +33,7 @@ nodes(Chart g)
 	return (size_t)g.nu*g.nv;
 }
 
-/* Half as many steps in both directions, or only in that with clearly shorter steps. */
+/* The chart with half as many steps in both directions, or only in the one with clearly shorter steps. */
 static Chart
 coarser(Chart g)
 {
@@ -61,7 +61,7 @@ level_free(Level *l)
 	free(l->phi);
 }
 
-/* Interpolates f from another grid, times a factor, into phi, but not into its outer rings. */
+/* Interpolates f from another grid, times a factor, into phi; the outer `rings` rings of phi stay. */
 static int
 interpolate(Chart from, const double end[2], const double *f, double factor, Chart g, int rings,
 	double *phi)
@@ -144,7 +144,7 @@ fit_finest(const Surface *s, double unit, const Level *l, const MisfitPlace *pla
 	return r;
 }
 
-/* Starts from the place, and is held there. */
+/* Fits on the finest grid alone: starts from the place, and holds the surface there. */
 static int
 fit_at_place(const Surface *s, double unit, const Level *l, const FitOptions *o, FitProgress *at)
 {

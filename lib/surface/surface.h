@@ -26,12 +26,14 @@ typedef struct Surface {
 	Chart          g;
 	const double  *lambda, *H;      /* [nv][nu], lambda > 0 */
 	const Residue *residue;         /* or NULL */
-	int            exact;           /* they are of the same surface as lambda and H: the misfit there is 0 */
+	int            exact;           /* 1: the residues are of the same surface as lambda and H, so that E
+	                                 * is 0 there */
 	Chart          start_chart;     /* grid of the start; its last column and row lie at */
 	double         start_end[2];    /* start_end[0] of the width and start_end[1] of the height */
 	const double  *start;           /* [3][nv][nu] of start_chart; NULL: the frame method on the
 	                                 * coarsest grid, from the three outer rings of phi */
-	const MisfitPlace *place;       /* or NULL; the start then, on the finest grid alone */
+	const MisfitPlace *place;       /* or NULL; the surface is held at it and starts from it, on the finest
+	                                 * grid alone */
 	int            free;            /* the boundary is not held */
 	int            adrift;          /* free: the border of phi is not given, but a start is */
 	const double  *forecast;        /* [3][nv][nu], or NULL: a guess of the detail, added to the
@@ -47,10 +49,10 @@ typedef struct Surface {
  *                 after 12 steps
  * at      out     progress at the last step
  *
- * Peak memory: 24 numbers for each node of the finest grid, besides lambda, H and phi, and up to 27
- * for unresolved nodes (patch.h), and 3 with exact residues.  Grids without an inner node stay as they are.  Returns 1 if the
- * finest grid converged, 0 if not, SURFACE_ENOMEM, SURFACE_ESTART or SURFACE_EPLACE; phi is then
- * unspecified. */
+ * Peak memory: 24 numbers for each node of the finest grid, besides lambda, H and phi, up to 27 for
+ * unresolved nodes (patch.h), and 3 with exact residues.  Grids of fewer than 3 nodes in a direction
+ * stay as they are.  Returns 1 if the fit on the finest grid converged or crept (at->stopped), 0 if not;
+ * or SURFACE_ENOMEM, SURFACE_ESTART or SURFACE_EPLACE, phi being unspecified then. */
 int surface(const Surface *s, const FitOptions *o, double *phi, FitProgress *at);
 
 #endif
