@@ -7,8 +7,8 @@
 #include "flips.h"
 
 enum { FLIPS = 20, SOME = 200000 };     /* at most FLIPS*nf + SOME flips */
-static const double COCIRCULAR = 1e-8; /* both diagonals count as Delaunay if the sum of the two
-                                         * cotangents is at most this times 1 plus their moduli */
+static const double COCIRCULAR = 1e-8; /* both diagonals count as Delaunay if |cot a + cot b| is at most
+                                         * this times 1 + |cot a| + |cot b| */
 static const double EQUAL = 1e-9;       /* keys that differ by at most this count as equal */
 
 /* The data of a side while it is renumbered. */
@@ -73,7 +73,7 @@ flip(Intrinsic *t, int h)
 	return 0;
 }
 
-/* The diagonals ij and kl of a quadrilateral cross at the fraction x of ij and y of kl.  Tells
+/* The diagonals ij and kl of a quadrilateral cross at the fraction x of ij and y of kl.  Returns
  * whether the key, interpolated linearly along each diagonal, is larger there on ij than on kl. */
 static int
 is_higher(const double *key, int i, int j, double x, int k, int l, double y)

@@ -21,7 +21,7 @@ int  intrinsic_improve(Subdivision *s, const double *key);
  * key  in  [nv] a number for each vertex, not a linear function of position on any four such
  *          vertices; or NULL: either diagonal may remain
  *
- * Stops after 20 flips per triangle plus 200000, as rounding could make it flip for ever.
+ * Stops after 20 flips per triangle plus 200000, since rounding could make flips go on for ever.
  * Returns 0 or INTRINSIC_ENOMEM. */
 int  intrinsic_delaunay(Intrinsic *t, const double *key);
 

@@ -87,8 +87,8 @@ intrinsic_init(Intrinsic *t, const Disk *d)
 	return 0;
 }
 
-/* Sets *low to the length of the shortest edge of triangle f.  Returns by how much it must grow; at
- * most 0 if it is long enough. */
+/* Sets *low to the length of the shortest edge of triangle f.  Returns the length by which this edge
+ * must grow; at most 0 if it is long enough. */
 static double
 shortfall(const Intrinsic *t, int f, double *low)
 {
@@ -110,7 +110,7 @@ shortfall(const Intrinsic *t, int f, double *low)
 typedef struct Mollifier {
 	int           *face, faces, *edge, edges;
 	unsigned char *on;      /* [nf] 1 if the triangle is in face */
-	double        *more;    /* [ne] by how much an edge is lengthened, 0 if it is not in edge */
+	double        *more;    /* [ne] the length to be added to each edge, 0 if it is not in edge */
 } Mollifier;
 
 static void
@@ -122,8 +122,8 @@ look_at(Mollifier *m, int side)
 	m->face[m->faces++] = side/3;
 }
 
-/* Lists the shortest edges of the listed triangles, where they are too short; all, if several are
- * equal up to rounding. */
+/* Lists the shortest edge of each listed triangle in which it is too short; if several edges are
+ * shortest up to rounding, all of them. */
 static void
 find_short_edges(const Intrinsic *t, Mollifier *m)
 {

@@ -40,9 +40,9 @@ typedef struct Intrinsic {
 int  intrinsic_init(Intrinsic *t, const Disk *d);
 void intrinsic_free(Intrinsic *t);
 
-/* Lengthens the shortest edge of each triangle that is flat up to rounding, or all that are about as
- * short, until any two sides together exceed the third by 1e-10 of the shortest, in at most 100
- * rounds.  Flat triangles have no usable angles.  Call it before any flip.  Returns 0 or
+/* Flat triangles have no usable angles.  So in each triangle that is flat up to rounding, lengthens the
+ * shortest edge (all, if several are equally short) until any two sides together exceed the third by
+ * 1e-10 of the shortest, in at most 100 rounds.  Call it before any flip.  Returns 0 or
  * INTRINSIC_ENOMEM. */
 int  intrinsic_mollify(Intrinsic *t);
 

@@ -62,9 +62,9 @@ add_round_corner(Overlaid *o, int h, int pieces)
 	}
 }
 
-/* The middle polygon of a triangle is what remains when its corners are cut off.  Finds its corners
- * near the start of side h: the vertex there or, if pieces cut it off, the two ends of the piece
- * farthest from it, counterclockwise.  Returns how many corners these are. */
+/* When the corners of a triangle are cut off, its middle polygon remains.  Finds the corners of that
+ * polygon near the start of side h: the vertex there or, if pieces cut it off, the two ends of the
+ * piece farthest from the vertex, counterclockwise.  Returns the number of these corners. */
 static int
 remaining_corner(const Overlaid *o, int h, int pieces, int corner[2])
 {

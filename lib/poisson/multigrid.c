@@ -7,11 +7,12 @@
 
 enum { FEW = 30 };              /* unknowns that are solved directly */
 
-/* The weights of the two steps of Jacobi: the zeros of the Chebyshev polynomial of degree 2 on
- * [2/5, 2], the eigenvalues of D^-1 A for waves that the coarser grid does not have. */
+/* The weights of the two steps of Jacobi: the reciprocals of the zeros of the Chebyshev polynomial of
+ * degree 2 on [2/5, 2], the interval of the eigenvalues of D^-1 A for waves that the coarser grid
+ * does not represent. */
 static const double RELAX[2] = { 1/(1.2 + 0.8*M_SQRT1_2), 1/(1.2 - 0.8*M_SQRT1_2) };
 
-/* The number of unknowns of the coarsest grid. */
+/* The number of unknowns of the coarsest grid so far. */
 static int
 coarsest(const Multigrid *m)
 {
@@ -30,7 +31,8 @@ multigrid_free(Multigrid *m)
 	memset(m, 0, sizeof *m);
 }
 
-/* Copies between a field [nv][nu] and a stored one with a rim. */
+/* store copies a field [nv][nu] into one with a rim (multilevel.h), unstore copies it back and puts 0 at
+ * held nodes. */
 static void
 store(const Multilevel *l, const double *field, double *x)
 {
@@ -104,7 +106,7 @@ multigrid_init(Multigrid *m, Chart g, int held, const double *density)
 	return MULTIGRID_ENOMEM;
 }
 
-/* L of the coarsest matrix L L', whose columns are A times unit vectors. */
+/* Computes the factor L of the coarsest A = L L'; the columns of A are its products with unit vectors. */
 static void
 factor(Multigrid *m)
 {
@@ -170,7 +172,7 @@ multigrid_stiffness(Multigrid *m, const double *x, double *y)
 	unstore(l, l->r, y);
 }
 
-/* l->x is about A^-1 l->b. */
+/* Sets l->x to about A^-1 l->b on level `at`. */
 static void
 cycle(Multigrid *m, int at)
 {

@@ -5,11 +5,12 @@
  *   M   diagonal: a density >= 0 times the area of the cell of each node, which is h k, and half of
  *       that on free sides and a quarter at free corners
  *
- * Fast transforms (plate.h) do not invert A where the density varies: as a preconditioner they leave
- * a condition number of the ratio of the largest density to the smallest.  A V-cycle reduces the
- * error about tenfold whatever the density does.  It is symmetric and positive definite, so it can
- * serve as a preconditioner of conjugate gradients.  On each grid the error is smoothed by two steps
- * of Jacobi before and after (W. Hackbusch, Multi-Grid Methods and Applications, Springer 1985).
+ * Fast transforms (plate.h) do not invert A where the density varies; as a preconditioner they leave a
+ * condition number up to the ratio of the largest density to the smallest.  A V-cycle reduces the
+ * error about tenfold for any density.  The V-cycle is symmetric and positive definite, so it can serve
+ * as a preconditioner of conjugate gradients.  On each grid the error is smoothed by two steps of Jacobi
+ * before the coarse correction and two after it (W. Hackbusch, Multi-Grid Methods and Applications,
+ * Springer 1985).
  */
 #ifndef MULTIGRID_H
 #define MULTIGRID_H
@@ -24,7 +25,7 @@ typedef struct Multigrid {
 	double    *mass;                /* [nv][nu] the diagonal of M; 0 at held nodes */
 	int        levels;
 	Multilevel level[MULTIGRID_MOST];
-	double    *factor;              /* of the coarsest matrix, by Cholesky; its lower half, row by row */
+	double    *factor;              /* [n][n] Cholesky factor of the coarsest A, in its lower triangle */
 } Multigrid;
 
 /* density[nv][nu] >= 0.  With a density of 0 everywhere, the field must be held somewhere.  Then

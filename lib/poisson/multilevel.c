@@ -42,8 +42,9 @@ set_widths(Multilevel *l)
 	return 0;
 }
 
-/* The place of the node that the rim stands for at (i,j), counted from the first unknown: its mirror
- * image at a free side.  -1 if the field is held at 0 there. */
+/* The stored place of the node whose value rim node (i,j) has, i and j counted from the first unknown:
+ * at a free side the mirror image of (i,j), at a joined side the node that lies there.  -1 if the field
+ * is held at 0 there. */
 static int
 source_of(const Multilevel *l, int i, int j)
 {

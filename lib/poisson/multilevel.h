@@ -11,8 +11,8 @@
 
 enum { MULTILEVEL_ENOMEM = -1, MULTILEVEL_MANY = 100000 };
 
-/* The weights in a coarse node of the unknowns from .. from+n-1 along one axis; 0 beyond these.  A grid
- * has at most twice the steps of the next coarser one, so there are at most four. */
+/* The weights with which a coarse node receives the unknowns from .. from+n-1 along one axis; the other
+ * weights are 0.  A grid has at most twice the steps of the next coarser one, so n is at most 4. */
 enum { TAPS = 4 };
 typedef struct Taps {
 	int    from, n;
@@ -67,7 +67,7 @@ void multilevel_begin(Multilevel *l, double w);
 void multilevel_restrict(const Multilevel *l, const Multilevel *c, const double *f, double *to);
 void multilevel_prolong(Multilevel *l, Multilevel *c);
 
-/* The place of unknown (i,j) in the stored fields, and the length of a stored row. */
+/* The length of a stored row, and the place of unknown (i,j) in the stored fields. */
 static inline size_t
 multilevel_row(const Multilevel *l)
 {

@@ -41,7 +41,7 @@ multilevel_join(Multilevel *l, const Multilevel *c)
 	return join_axis(l, c, 0) || join_axis(l, c, 1) ? MULTILEVEL_ENOMEM : 0;
 }
 
-/* Row J of P' f before the columns are added up: with w = 0 for taps that a node does not have. */
+/* Row J of the sum of the rows of f with the weights of t.  Taps beyond t->n have weight 0. */
 INLINE void
 sum_rows(const Multilevel *l, const Taps *t, const double *f, double *sum)
 {
@@ -54,8 +54,8 @@ sum_rows(const Multilevel *l, const Taps *t, const double *f, double *sum)
 		sum[i] = t->w[0]*in[0][i] + t->w[1]*in[1][i] + t->w[2]*in[2][i] + t->w[3]*in[3][i];
 }
 
-/* Adds up the rows of f, then the columns, with their weights in the coarse nodes, rim and all.  The
- * sums in the rim then go to the nodes that the rim stands for. */
+/* Sums the rows of f, then the columns, with their weights in the coarse nodes, including the rim.  Then
+ * adds each sum in the rim to the node whose value the rim node has. */
 void
 multilevel_restrict(const Multilevel *l, const Multilevel *c, const double *f, double *to)
 {

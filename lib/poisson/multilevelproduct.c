@@ -2,7 +2,7 @@
 #include "../base/cpu.h"
 #include "multilevel.h"
 
-/* t k/h and t h/k, for the second differences along u and v. */
+/* The factors of the second differences along u and v in t K: t k/h and t h/k. */
 typedef struct Edges {
 	double u, v;
 } Edges;

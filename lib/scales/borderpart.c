@@ -27,8 +27,8 @@ side_of(Chart g, int axis, int end)
 	    (axis ? g.nu : g.nv) - !across[0] - !across[1] };
 }
 
-/* Calls use for each node p of each open side but the corners, with the node inside of it and 1 over
- * the square of the step between them. */
+/* Calls `use` for each node p of each open side, except nodes on two open sides, with the neighbour of p
+ * inside and w = 1/step^2, step being that between the two. */
 static void
 each_border_node(Chart g, void (*use)(void *ctx, size_t p, size_t inside, double w), void *ctx)
 {

@@ -101,8 +101,8 @@ larger_first(const void *x, const void *y)
 	return r->q > t->q ? 1 : -1;
 }
 
-/* What a coefficient contributes to the sum that the rule bounds: the number of coefficients for
- * FILTER_KEEP, the energy without the mean for FILTER_ENERGY. */
+/* The contribution of a coefficient to the sum that the rule bounds: for FILTER_KEEP the number of
+ * coefficients, for FILTER_ENERGY the energy without the mean. */
 static double
 sum_term(Spectrum s, FilterRule rule, const Ranked *r)
 {
@@ -152,7 +152,7 @@ rank_by_wave(Spectrum s, double *a, double *bound)
 }
 
 /* Sets the coefficients with a <= bound (a < bound if keep_equal) to 0, except C_00.  *kept is the
- * number of others, of nu nv.  Returns 1 if a coefficient has changed. */
+ * number of those that are kept, of nu nv.  Returns 1 if a coefficient has changed. */
 static int
 drop(Spectrum s, double complex *C, const double *a, double bound, int keep_equal, size_t *kept)
 {

@@ -8,10 +8,10 @@ enum { FILTER_ENOMEM = -1 };
 
 /* Which coefficients are kept.  C_00, the mean, is always kept. */
 typedef enum FilterRule {
-	FILTER_PERCENT,         /* |C|/(nu nv rms) x 100 > bound, rms the root mean square of f
-	                         * (of log f minus its mean, if log): such a bound has the
-	                         * same meaning for lambda and H, for every unit of length and
-	                         * every grid size (doc/mathematics.md 5.2) */
+	FILTER_PERCENT,         /* |C|/(nu nv rms) x 100 > bound, rms the root mean square of f;
+	                         * if log, of log f less its border part and then less its mean.
+	                         * Such a bound has the same meaning for lambda and H, for every
+	                         * unit of length and every grid size (doc/mathematics.md 5.2) */
 	FILTER_RAW,             /* |C| > bound, exactly as in (32) */
 	FILTER_KEEP,            /* the `bound` largest in modulus of all nu nv, and any others
 	                         * equal to the smallest of these; a conjugate pair counts as
@@ -24,7 +24,8 @@ typedef enum FilterRule {
 typedef struct Filter {
 	FilterRule rule;
 	double     bound;       /* >= 0 */
-	int        log;         /* filter log f instead, f > 0; the result is > 0 too */
+	int        log;         /* filter log f less its border part (borderpart.h) instead, f > 0; the
+	                         * result is > 0 too, and f on the border is kept */
 } Filter;
 
 /* Drops coefficients of f by the rule, in place.  If only zero coefficients are dropped,

@@ -27,10 +27,10 @@ typedef struct Lowpass {
 int  lowpass_init(Lowpass *p, Chart g, int held, const double *lambda);
 void lowpass_free(Lowpass *p);
 
-/* The square root of the area of the surface; of a filter with free sides. */
+/* The square root of the area of the surface.  p must have free sides. */
 double lowpass_root_area(const Lowpass *p);
 
-/* Filter f[nv][nu] in place, s > 0 a length. */
+/* Filters f[nv][nu] in place; s > 0 is a length, in the unit of lambda. */
 void lowpass(Lowpass *p, double s, double *f);
 
 /* One implicit step of the heat flow on the surface, in place: (M + (s^2/2) K) f~ = M f. */

@@ -1,4 +1,4 @@
-/* relief.c - details between scales a factor of 2 apart, each weighted by its height. */
+/* relief.c - details between scales, each scale twice the one before, weighted by their height. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,13 +9,13 @@ enum { SCALES = 5, FIELDS = 4 };        /* H and the place */
 
 typedef struct Details {
 	size_t  n;
-	double *kept[FIELDS];   /* the fields of the caller: in the end, what is kept */
-	double *all[FIELDS];    /* the fields before */
-	double *fine[FIELDS], *coarse[FIELDS];  /* at the scales j and j + 1 */
-	double *share;
+	double *kept[FIELDS];   /* the fields of the caller: the sum of the details kept so far */
+	double *all[FIELDS];    /* the given fields */
+	double *fine[FIELDS], *coarse[FIELDS];  /* x_j and x_(j+1) of relief.h */
+	double *share;          /* g_j */
 } Details;
 
-/* Allocates the workspace and copies the fields.  Returns what is to be freed, or NULL. */
+/* Allocates the workspace and copies the fields.  Returns a pointer for the caller to free, or NULL. */
 static double *
 workspace(Details *d)
 {
@@ -34,7 +34,7 @@ workspace(Details *d)
 	return work;
 }
 
-/* g_j, with (e_j/tau)^2 one step of heat flow from the square of the distance between the scales. */
+/* Sets d->share to g_j.  (e_j/tau)^2 is |x_j - x_(j+1)|^2/tau^2 after one step of heat flow. */
 static void
 set_shares(Lowpass *free, double s, double tau, Details *d)
 {
@@ -53,7 +53,8 @@ set_shares(Lowpass *free, double s, double tau, Details *d)
 		d->share[p] = e2[p] > 1 ? 1 - 1/e2[p] : 0;
 }
 
-/* Adds what is kept of the details between the two scales, and moves on to the coarser one. */
+/* Adds the share g_j of the details between the two scales to `kept`, and makes the coarser scale the
+ * finer one. */
 static void
 keep(Details *d)
 {

@@ -1,5 +1,5 @@
-/* relief.h - removes what is lower than a height and keeps what is higher sharp (doc/mathematics.md
- * 5.6). */
+/* relief.h - removes details lower than a given height, and keeps higher ones sharp
+ * (doc/mathematics.md 5.6). */
 #ifndef RELIEF_H
 #define RELIEF_H
 
@@ -7,12 +7,13 @@
 
 enum { RELIEF_ENOMEM = -1 };
 
-/* The details of the surface between the scales s 2^j and s 2^(j+1), j = 0 .. 4, are multiplied by
+/* Let x_0 be the given fields, and x_(j+1) the given fields filtered at the scale s 2^j, j = 0 .. 4.
+ * The details x_j - x_(j+1) are multiplied by
  *
  *   g_j = max(0, 1 - (tau/e_j)^2),
  *
- * e_j being their height around the node: the root mean square, over about s 2^j, of the distance
- * between the positions at the two scales.
+ * where e_j is their height around the node: the root mean square, over a distance of about s 2^j, of
+ * |x_j - x_(j+1)| of the place.  x_5 is kept.
  *
  * free_sides  a filter with free sides, for H
  * held        one with held sides, for x, y, z of the place less their border parts
