@@ -16,10 +16,10 @@
  * steps converge fast. */
 static const double EXACT = 1e-4;
 
-/* Sum of the changes of the last ten steps, over sqrt(area), above which a surface is refused whose
- * steps crept: ten times the tolerance, the default one if that is larger.  The mean step was then
- * longer than the one that counts as converged.  With a free boundary surfaces bend at hardly any cost,
- * and the bound is a percent. */
+/* If the steps crept, the surface is refused when the sum of the changes of the last ten, over
+ * sqrt(area), is above this: UNSETTLED times the tolerance (or times USUAL, if that is larger), so that
+ * the mean step was longer than one that counts as converged.  With a free boundary surfaces bend at
+ * hardly any cost, and the bound is UNSETTLED_FREE. */
 static const double UNSETTLED = 10, UNSETTLED_FREE = 0.01, USUAL = SURFACEFIT_TOLERANCE;
 
 static const char *const START[3] = { "start.x", "start.y", "start.z" };
@@ -31,8 +31,8 @@ has_start(const Lhg *g, const SurfaceFit *o)
 	return !o->no_start && lhg_find(g, START[0]);
 }
 
-/* The place takes part in E only where lhfft --scale or --relief has filtered it: the place of a surface
- * itself would be the answer.  That one is but the start. */
+/* Whether the place takes part in E: only if lhfft --scale or --relief has filtered it.  An unfiltered
+ * place is the answer itself, so it is used as a start only. */
 static int
 has_place(const Lhg *g, const SurfaceFit *o)
 {
@@ -47,7 +47,7 @@ starts_at_place(const Lhg *g, const SurfaceFit *o)
 	return !o->no_place && !o->follows && lhg_find(g, PLACE[0]) && has_start(g, o) && !has_place(g, o);
 }
 
-/* The channels place as three fields, to be freed, with s by the metadatum scale; or NULL. */
+/* The place channels as three fields, to be freed, or NULL.  Sets place->s from the metadatum scale. */
 static double *
 read_place(const CmdInput *in, const Lhg *g, const SurfaceFit *o, MisfitPlace *place)
 {

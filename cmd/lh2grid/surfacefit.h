@@ -18,8 +18,8 @@ typedef struct SurfaceFit {
  * else 1 for a held boundary (or to place a free one), and 0 for a free boundary without a band. */
 int surfacefit_rings(const Lhg *g, const SurfaceFit *o);
 
-/* On entry phi[3][nv][nu] has the rings of surfacefit_rings, on return the whole surface.  Dies if
- * none is found.  at: out, how the steps ended; surfacefit_meta writes it into the metadata. */
+/* Completes phi[3][nv][nu]: on entry it holds the rings of surfacefit_rings, on return all nodes.  Dies
+ * if no surface is found.  at: out, how the steps ended; surfacefit_meta writes it into the metadata. */
 void surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, FitProgress *at);
 void surfacefit_meta(Lhg *g, const FitProgress *at);
 

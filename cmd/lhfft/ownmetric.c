@@ -12,8 +12,8 @@
 #include "../shared/place.h"
 #include "ownmetric.h"
 
-/* --relief: the finest scale, and that of lambda, over sqrt(area).  At the finest a wave has 1.6 % of
- * sqrt(area), four cells of 257 x 257 nodes. */
+/* --relief: the finest scale, and the scale for lambda, over sqrt(area).  A wave of wave number 1/s at
+ * the finest scale s is 1.6 % of sqrt(area) long, four cells of 257 x 257 nodes. */
 static const double FINEST = 0.0025, RELIEF_LAMBDA = 0.005;
 static const double LEAST = 1e-4, MOST = 1e4;   /* of L and TAU over sqrt(area) */
 
@@ -90,7 +90,7 @@ join(Own *o)
 	free(o->less[0]);
 }
 
-/* Whether the place is folded at corner k, less and part added up. */
+/* Whether the place, the sum of less and part, is folded at corner k. */
 static int
 folds(const Own *o, int k)
 {
@@ -107,9 +107,9 @@ folds(const Own *o, int k)
 	return is;
 }
 
-/* At corners where filters fold the place, the fields stay as they were: before[FIELDS][n].  There
- * lambda goes to 0, a filter leaves the harmonic function with the border values, and between ragged
- * borders this may fold. */
+/* At corners where the filtered place is folded, blends the fields into those before the filter,
+ * before[FIELDS][n].  Where lambda goes to 0 at a corner, a filter leaves only the harmonic function with
+ * the border values there; if the border is ragged, that function may fold. */
 static void
 keep_corners(Own *o, const double *before)
 {

@@ -193,8 +193,8 @@ scales_before(const Lhg *g)
 
 /* A field whose coefficients are all kept does not change, not even in its last bits.  The number of
  * waves, in cycles per width, is the radius of the quarter disk of wave numbers that contains as many
- * cosines, pi waves^2 T, as the filter kept.  The place is that of other lambda and H: it is left
- * out. */
+ * cosines, pi waves^2 T, as the filter kept.  The place does not belong to the changed lambda and H, so
+ * it is removed. */
 static void
 drop_coefficients(const Scales *s, int k, ScalesBefore before, const CmdInput *in, Lhg *g)
 {

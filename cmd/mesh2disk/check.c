@@ -27,7 +27,8 @@ row(FILE *f, int n, const char *what, const char *fmt, ...)
 	putc('\n', f);
 }
 
-/* The units in which the surface measures between a tooth, 5 mm, and a body, 2 m. */
+/* The units of length in which the size of the surface is between that of a tooth, 5 mm, and of a body,
+ * 2 m. */
 static const char *
 unit_of(const MendReport *r)
 {

@@ -6,7 +6,7 @@
 
 #include "../../lib/mend/mend.h"
 
-/* What mend found in s and what it made of it: out, or nothing if it refuses with that reason. */
+/* Reports what mend found in s, and its result: out, or the reason why it refuses s. */
 void check_text(FILE *f, const char *name, const Soup *s, const Soup *out, const MendReport *r,
 	const char *refusal);
 void check_json(FILE *f, const char *name, const Soup *s, const Soup *out, const MendReport *r,

@@ -1,4 +1,4 @@
-/* notes.c - what mesh2disk did, in one line each. */
+/* notes.c - the notes of mesh2disk: a line for each change. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,7 +14,7 @@ typedef struct Lines {
 	const Soup *s;
 } Lines;
 
-/* A note and a comment, if n > 0. */
+/* Prints a note and appends the same line to the comments, if n > 0. */
 static void
 line(Lines *l, int n, const char *fmt, ...)
 {
@@ -48,7 +48,7 @@ s_of(int n)
 	return n == 1 ? "" : "s";
 }
 
-/* What was dropped before the faces were put together. */
+/* Notes the vertices and faces dropped before neighbours were found. */
 static void
 cleaned(Lines *l, const MendReport *r)
 {
@@ -126,7 +126,7 @@ filled(Lines *l, const MendReport *r)
 	line(l, r->opened, "closed surface cut open along %g", r->cut);
 }
 
-/* What mesh2rect would still refuse. */
+/* Notes the faults that remain, for which mesh2rect would refuse the result. */
 static void
 left(Lines *l, const MendReport *r)
 {

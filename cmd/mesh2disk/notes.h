@@ -1,4 +1,4 @@
-/* notes.h - what mesh2disk did, in one line each. */
+/* notes.h - the notes of mesh2disk: a line for each change. */
 #ifndef CMD_NOTES_H
 #define CMD_NOTES_H
 

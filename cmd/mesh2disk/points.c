@@ -1,4 +1,4 @@
-/* points.c - points without faces become a mesh. */
+/* points.c - makes faces on points that have none. */
 #include <math.h>
 #include <stdlib.h>
 

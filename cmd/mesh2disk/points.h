@@ -4,9 +4,9 @@
 
 #include "../../lib/mesh/mesh.h"
 
-/* If s has no faces: makes them if wanted, with a note of their number and of the largest radius of a
- * circle through the corners of one; or dies and names --points.  If s has faces: does nothing, and notes
- * that --points had nothing to do. */
+/* If s has no faces: if wanted, makes them, with a note of their number and of the largest radius of a
+ * circle through the corners of one; otherwise dies with a message that names --points.  If s has faces:
+ * only notes, if wanted, that --points had no effect. */
 void points_to_faces(const char *name, int wanted, Soup *s);
 
 #endif

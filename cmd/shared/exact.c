@@ -1,7 +1,7 @@
 /* exact.c - a checksum of lambda, H and the residual channels.
  *
- * A stage that changes lambda or H (lhfft, lhinterp, a program of the user's) need not know the metadatum:
- * its checksum is then another. */
+ * A stage that changes lambda or H (lhfft, lhinterp, a user's program) need not update the metadatum: the
+ * checksum of the new samples differs from it. */
 #include <stdint.h>
 #include <string.h>
 

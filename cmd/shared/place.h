@@ -1,4 +1,4 @@
-/* place.h - the channels place.x place.y place.z: the positions that the filters of lhfft take along. */
+/* place.h - the channels place.x place.y place.z: positions that lhfft filters with lambda and H. */
 #ifndef CMD_PLACE_H
 #define CMD_PLACE_H
 

@@ -1,4 +1,4 @@
-/* choose.c - which components are kept. */
+/* choose.c - keeps the largest components. */
 #include <stdlib.h>
 
 #include "../mesh/fail.h"
@@ -13,7 +13,7 @@ by_area(const void *a, const void *b)
 	return x->area > y->area ? -1 : x->area < y->area;
 }
 
-/* Reports the components; chosen tells which are kept. */
+/* Reports the components.  chosen[i] is 1 if component i is kept. */
 static int
 report_pieces(const Piece *list, int n, const unsigned char *chosen, MendReport *r, char *err)
 {

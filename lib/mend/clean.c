@@ -8,7 +8,8 @@
 #include "../mesh/repair.h"
 #include "clean.h"
 
-/* The corners of face f without those that follow themselves; returns their number. */
+/* Sets corner to the corners of face f, without those equal to the corner before them.  Returns their
+ * number. */
 static int
 corners_of(const Soup *soup, int f, int *corner)
 {
@@ -21,7 +22,7 @@ corners_of(const Soup *soup, int f, int *corner)
 	return m;
 }
 
-/* Whether a corner is the number of no vertex. */
+/* Whether a corner is not the number of a vertex. */
 static int
 no_vertex(const Soup *soup, const int *corner, int n)
 {
@@ -33,7 +34,7 @@ no_vertex(const Soup *soup, const int *corner, int n)
 	return 0;
 }
 
-/* The first corner that is not finite, or -1. */
+/* The first corner whose position is not finite, or -1. */
 static int
 not_finite(const Soup *soup, const int *corner, int n)
 {
@@ -135,7 +136,7 @@ by_place(const void *a, const void *b)
 	return x->face < y->face ? -1 : x->face > y->face;
 }
 
-/* Marks in keep the triangles that are the first on their three places. */
+/* Sets keep to 1 for each triangle that is the first one on its three places, to 0 for the others. */
 static void
 mark_first(const Sheet *s, const int *place, Placed *p, unsigned char *keep, Cleaned *c)
 {

@@ -14,9 +14,9 @@ typedef struct Cleaned {
 } Cleaned;
 
 /* Splits the polygons of a soup into triangles: sets s, without twins, all vertices with their numbers
- * in the soup.  Triangles keep their corners; corners that follow themselves count once; a polygon
- * that cannot be split into triangles with area is split into a fan.  Left out are the faces of
- * Cleaned.  The filled faces of the soup stay so.
+ * in the soup.  Triangles keep their corners; equal corners in a row count once; a polygon that cannot
+ * be split into triangles with area is split into a fan.  The faces counted in c are left out.  Faces
+ * marked as filled in the soup stay marked.
  *
  * Returns 0, MESH_ENOMEM, or MESH_EDISK if no face is left. */
 int sheet_clean(Sheet *s, const Soup *soup, Cleaned *c);

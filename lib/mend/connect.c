@@ -10,8 +10,8 @@
 #include "step.h"
 #include "weld.h"
 
-#define AUTO 1e-6               /* of the diagonal: what a float and its rounding leave */
-#define NEAR 1e-3               /* of the diagonal: how far nearest is looked for */
+#define AUTO 1e-6               /* of the diagonal: a few rounding errors of coordinates stored as floats */
+#define NEAR 1e-3               /* of the diagonal: the largest distance reported as MendReport.nearest */
 
 /* Sets the bounding box; returns its diagonal. */
 static double
@@ -82,7 +82,7 @@ drop_collapsed(Sheet *s, int *was, MendReport *r)
 	return e;
 }
 
-/* Drops the marked faces, and their corners from was, which may be NULL. */
+/* Drops the marked faces.  Returns their number, or MESH_ENOMEM. */
 static int
 drop_marked(Sheet *s, const unsigned char *flap)
 {
@@ -98,8 +98,8 @@ drop_marked(Sheet *s, const unsigned char *flap)
 	return e ? e : n;
 }
 
-/* Fans that meet at both ends of an edge of many faces cannot be parted there: drops the faces that a
- * surface cannot hold, and parts again. */
+/* Two fans that share an edge of more than two faces, and both ends of it, cannot be parted.  So drops,
+ * at each such edge, the faces beyond the first pair (sheet_join), and parts the fans again. */
 static int
 drop_flaps(Sheet *s, MendReport *r)
 {

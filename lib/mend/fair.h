@@ -1,4 +1,4 @@
-/* fair.h - the vertices of patches are moved so that the surface goes on as it comes in.  Private to
+/* fair.h - moves the vertices of patches so that they continue the surface smoothly.  Private to
  * lib/mend.
  *
  * With K the cotangent stiffness and M the lumped areas of the surface with flat patches, the
@@ -7,8 +7,8 @@
  *   C1   K M^-1 K x = 0                  the least bending, position and slope continued
  *   C2   K M^-1 K M^-1 K x = 0           the least change of bending, curvature too
  *
- * in the rows of these vertices, with all others held.  [M. Botsch, L. Kobbelt, An intuitive framework for
- * real-time freeform modeling, ACM Trans. Graph. 23 (2004), 630-634]
+ * in the rows of the patches' vertices, with all others held.  [M. Botsch, L. Kobbelt, An intuitive
+ * framework for real-time freeform modeling, ACM Trans. Graph. 23 (2004), 630-634]
  */
 #ifndef FAIR_H
 #define FAIR_H

@@ -1,4 +1,4 @@
-/* fill.c - which holes are filled. */
+/* fill.c - chooses the holes to fill, and fills them. */
 #include <stdlib.h>
 
 #include "../mesh/fail.h"
@@ -30,8 +30,8 @@ report_loops(const Sheet *s, const Loop *loop, int n, MendReport *r)
 	return 0;
 }
 
-/* Moves the loops that are to be filled to the front, in their order; returns their number.  piece is
- * [nf], longest and all are [pieces]: the longest loop of each and the length of all its loops. */
+/* Moves the loops that are to be filled to the front, in their order; returns their number.  piece:
+ * [nf]; longest, all: [pieces], the longest loop of each component and the length of all its loops. */
 static int
 choose_loops(const MendOptions *o, Loop *loop, int n, const int *piece, double *all,
 	int *longest)

@@ -1,5 +1,5 @@
-/* flat.c - faces without area: short edges are collapsed, long ones are flipped.  In one round no two
- * changes touch the same vertex; rounds go on until none is left that can be mended. */
+/* flat.c - mends flat faces: short edges are collapsed, long ones are flipped.  In one round no two
+ * changes touch the same vertex; rounds go on until no flat face can be mended any more. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 #include "flat.h"
 #include "join.h"
 
-/* What one round works on. */
+/* The data of a round. */
 typedef struct Round {
 	Sheet *s;
 	int   *first, *corner;          /* the corners at each vertex */
@@ -18,8 +18,8 @@ typedef struct Round {
 	int   *stamp, count;            /* marks of vertices */
 } Round;
 
-/* Sets *shortest and *longest to sides of face f if it is flat.  Returns 1 if it has an edge as short
- * as it is flat, 2 if not, 0 if it is not flat. */
+/* Sets *shortest and *longest to sides of face f.  Returns 0 if f is not flat (flat.h); 1 if it is, and
+ * its shortest edge over its longest is at most FLAT_SHAPE; otherwise 2. */
 static int
 flatness(const Sheet *s, int f, int *shortest, int *longest)
 {
@@ -66,7 +66,7 @@ locked(Round *r, int v, int lock)
 	return any;
 }
 
-/* How many vertices share a face with a and one with b. */
+/* The number of vertices, other than a and b, that share a face with a and a face with b. */
 static int
 common(Round *r, int a, int b)
 {
@@ -97,7 +97,7 @@ neighbours(Round *r, int a, int b)
 	return 0;
 }
 
-/* Makes the ends of a side one vertex, if the surface stays one. */
+/* Merges the ends of a side if the result is still a manifold surface.  Returns whether it does. */
 static int
 collapse(Round *r, int side)
 {

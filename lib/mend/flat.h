@@ -1,11 +1,11 @@
-/* flat.h - faces without area are taken out of a sheet.  Private to lib/mend. */
+/* flat.h - removes faces without area from a sheet.  Private to lib/mend. */
 #ifndef FLAT_H
 #define FLAT_H
 
 #include "sheet.h"
 
-/* A face is flat if its height over its longest edge is at most this share of the edge: the root of
- * the precision of a double.  Half of the digits of its normal are then noise. */
+/* A face is flat if its height over its longest edge is at most this share of that edge: the square root
+ * of the precision of a double.  Half of the digits of its normal are then noise. */
 #define FLAT_SHAPE 1.5e-8
 
 typedef struct Flattened {
@@ -15,11 +15,11 @@ typedef struct Flattened {
 	int left, at;           /* faces that could not be mended, and a vertex of the first; else -1 */
 } Flattened;
 
-/* Takes out the flat faces.  The positions of the vertices that remain are kept.  Needs twins, and
- * neighbours that agree.  Returns 0 or MESH_ENOMEM. */
+/* Removes the flat faces.  The remaining vertices keep their positions.  Needs twins, and neighbours
+ * that agree in orientation.  Returns 0 or MESH_ENOMEM. */
 int flat_mend(Sheet *s, Flattened *r);
 
-/* How many faces are flat. */
+/* The number of flat faces. */
 int flat_count(const Sheet *s);
 
 #endif

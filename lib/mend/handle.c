@@ -1,5 +1,5 @@
-/* handle.c - handles are cut: of the edges that are neither in a tree of shortest paths nor crossed by
- * a tree of faces, the one with the shortest cycle. */
+/* handle.c - cuts handles along short cycles.  Each edge that is neither in a tree of shortest paths nor
+ * crossed by a tree of faces closes a cycle with two of these paths; the shortest cycle is used. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -69,9 +69,10 @@ trimmed(const Search *w, const Sheet *s, int side)
 	return ends + sheet_length(s, side) - 2*w->t.distance[a];
 }
 
-/* The shortest cycle that a base vertex gives: the tree of faces takes the edges of the longest cycles;
- * two chords are left over for each handle.  Chords at the boundary, which the paths do not reach, come
- * first: so the faces round each boundary loop act as one face, as if it were closed. */
+/* The chord of the shortest cycle for this base vertex, or -1.  The tree of faces crosses chords in the
+ * order of their cycles, longest first; two chords remain for each handle.  Chords at the boundary,
+ * which the paths do not reach, come first, so the faces round each boundary loop act as one face, as if
+ * the loop were closed. */
 static int
 shortest_chord(Search *w, const Sheet *s, const int *piece, int p, double *length)
 {
@@ -139,8 +140,8 @@ inner_vertex(const Search *w, const Sheet *s, const int *piece, int p)
 	return -1;
 }
 
-/* Moves the base until the cycle gets no shorter; w->t are then the paths from the last base.  Returns
- * the chord of the shortest cycle through it, or -1. */
+/* Moves the base until the cycle gets no shorter, and leaves in w->t the paths from the best base.
+ * Returns the chord of the shortest cycle for that base, or -1. */
 static int
 shortest_cycle(Search *w, const Sheet *s, const int *piece, int p, double *length)
 {

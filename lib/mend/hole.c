@@ -1,4 +1,4 @@
-/* hole.c - holes are filled: flat ones by splitting an edge, others by CGAL and fairing. */
+/* hole.c - fills holes: those within one edge by splitting it, others by CGAL and fairing. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,7 +9,7 @@
 #include "holefill.h"
 #include "join.h"
 
-#define ON_EDGE 1e-6            /* as the weld distance `auto`, of the longest edge */
+#define ON_EDGE 1e-6            /* largest distance from the edge, over its length */
 
 static int
 longest_side(const Sheet *s, const Loop *l)
@@ -22,7 +22,8 @@ longest_side(const Sheet *s, const Loop *l)
 	return most;
 }
 
-/* Whether the vertices of a loop beside the ends of its longest side lie on this, in their order. */
+/* Whether all vertices of a loop, other than the ends of its longest side, lie on that side, in their
+ * order. */
 static int
 on_edge(const Sheet *s, const Loop *l, int longest)
 {
@@ -100,7 +101,7 @@ grow_faces(Sheet *s, size_t n)
 	return tri && filled ? 0 : mesh_fail(s->err, MESH_ENOMEM, "no memory for %zu faces", n);
 }
 
-/* Whether a face at the loop is locked; locks them all. */
+/* Whether any face at the loop is locked.  Locks all of them. */
 static int
 lock_faces(const Sheet *s, const Loop *l, unsigned char *locked)
 {
@@ -197,7 +198,7 @@ count(const Sheet *s, const Loop *loop, int n, const HolePatch *p, Filled *r)
 		}
 }
 
-/* Appends what CGAL finds, fairs it, and finds the neighbours again. */
+/* Appends the patches that CGAL made, fairs them, and finds the neighbours again. */
 static int
 use_patches(Sheet *s, const HolePatch *p, int order, Filled *r)
 {

@@ -1,4 +1,4 @@
-/* hole.h - the holes of a sheet are filled.  Private to lib/mend. */
+/* hole.h - fills the holes of a sheet.  Private to lib/mend. */
 #ifndef HOLE_H
 #define HOLE_H
 
@@ -18,7 +18,7 @@ typedef struct Filled {
  * split there.  Returns the number of loops closed, or MESH_ENOMEM. */
 int hole_seams(Sheet *s);
 
-/* Fills n loops and fairs them.  The vertices and faces made follow the others, with source -1 and
+/* Fills n loops and fairs the patches.  New vertices and faces follow the others, with source -1 and
  * filled 1.  Adds to *r.  Returns 0, MESH_ENOMEM, or MESH_EDISK if CGAL fails. */
 int hole_fill(Sheet *s, const Loop *loop, int n, int order, Filled *r);
 

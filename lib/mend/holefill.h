@@ -10,8 +10,9 @@ extern "C" {
 
 enum { HOLEFILL_ENOMEM = -1, HOLEFILL_ECGAL = -2 };
 
-/* Up to this many vertices a hole that has no triangulation among the tetrahedra of its vertices is
- * filled by the search over all triangulations, whose time grows as the cube of the number. */
+/* A hole that has no triangulation among the Delaunay tetrahedra of its vertices is filled by a search
+ * over all triangulations if it has at most this many vertices: the time of the search grows as the cube
+ * of their number. */
 enum { HOLEFILL_CUBIC = 500 };
 
 /* The patches that fill holes: vertices with numbers from the nv of the mesh on, and faces. */

@@ -48,7 +48,7 @@ sort_sides(const Sheet *s, int *first, Side *side)
 		qsort(side + first[v], (size_t)(first[v+1] - first[v]), sizeof *side, by_edge);
 }
 
-/* The number of sides on the edge of side[i]; those before i are on other edges. */
+/* The number of sides on the edge of side[i], which is the first of them. */
 static int
 on_edge(const Side *side, int i, int end)
 {
@@ -66,7 +66,7 @@ pair(Sheet *s, int a, int b)
 	s->twin[b] = a;
 }
 
-/* Pairs the sides of the edges of two faces; returns how many edges have more. */
+/* Pairs the sides of each edge of two faces.  Returns the number of edges of more than two faces. */
 static int
 pair_simple(Sheet *s, const int *first, const Side *side, int at[2])
 {
@@ -118,8 +118,8 @@ inward(const Sheet *s, int side, double d[3])
 		d[c] = length > 0 ? d[c]/length : 0;
 }
 
-/* How badly b continues a, less being better: a face of another direction is worse than any that
- * agrees; then the cosine of the angle between the faces, -1 if they are one plane. */
+/* How badly the face of side b continues that of side a; less is better.  The cosine of the angle between
+ * the two faces, -1 if they lie in one plane; plus 4 if they disagree in orientation. */
 static double
 bend(const Sheet *s, int a, int b)
 {
@@ -130,8 +130,8 @@ bend(const Sheet *s, int a, int b)
 	return dot3(u, v) + (s->tri[a] == s->tri[b] ? 4 : 0);
 }
 
-/* The best of the n sides to follow side a: of the largest part that is left, the one that continues
- * a best.  With a = -1: the first of the largest part.  Sides that are taken are -1. */
+/* The index of the best of the n sides to pair with side a: of those in the largest part, the one that
+ * continues a best.  With a = -1: the first of those in the largest part.  Sides already paired are -1. */
 static int
 best(const Sheet *s, const int *up, const double *area, const int *side, int n, int a)
 {
@@ -153,7 +153,8 @@ best(const Sheet *s, const int *up, const double *area, const int *side, int n, 
 	return found;
 }
 
-/* Pairs the n sides of one edge; destroys the list.  Marks the faces after the first pair. */
+/* Pairs the n sides of one edge, and overwrites `side`.  Marks in flap, unless it is NULL, the faces that
+ * are not in the first pair. */
 static void
 pair_many(Sheet *s, const int *up, const double *area, int *side, int n, unsigned char *flap)
 {

@@ -1,4 +1,4 @@
-/* mend.c - makes a disk, or a closed surface, of what a file has: the steps in their order. */
+/* mend.c - makes a disk, or a closed surface, from the polygons of a file: the steps in their order. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -39,7 +39,7 @@ flatten(Sheet *s, MendReport *r)
 	return s->nf ? 0 : mesh_fail(s->err, MESH_EDISK, "no face has area");
 }
 
-/* Counts the handles, closed components and disks of what there is. */
+/* Counts the handles, closed components and disks of s. */
 static int
 take_stock(const Sheet *s, MendReport *r)
 {
@@ -106,7 +106,8 @@ shape(Sheet *s, const MendOptions *o, MendReport *r)
 	return open_closed(s, o, r);
 }
 
-/* Makes channel MESH_SOURCE: through that of the input, if it has one. */
+/* Makes channel MESH_SOURCE from `source`: numbers of vertices of the input or, if the input has a
+ * channel MESH_SOURCE, the values of that channel at these vertices. */
 static int
 add_source(Soup *out, const int *source)
 {

@@ -8,7 +8,7 @@
 #include "path.h"
 #include "piece.h"
 
-/* The vertex of that piece nearest to a point; the lowest if several are. */
+/* The vertex of piece p nearest to a point; among equally near ones the lowest. */
 static int
 nearest(const Sheet *s, const int *piece, int p, const double *at)
 {

@@ -25,7 +25,7 @@ void path_from(PathTree *t, const Sheet *s, int v, const unsigned char *barred);
 /* The vertex before v on its path; v is not the start. */
 int path_before(const PathTree *t, const Sheet *s, int v);
 
-/* Cuts the surface along a side: its faces are neighbours no more. */
+/* Cuts the surface along a side: its two faces are no longer neighbours. */
 void path_cut(Sheet *s, int side);
 
 #endif

@@ -1,4 +1,4 @@
-/* piece.h - the components of a sheet: what hangs together across edges.  Private to lib/mend. */
+/* piece.h - the components of a sheet, connected across edges.  Private to lib/mend. */
 #ifndef PIECE_H
 #define PIECE_H
 

@@ -1,4 +1,4 @@
-/* weld.c - vertices of the boundary that lie at one place. */
+/* weld.c - groups vertices of the boundary that lie at one place. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -67,7 +67,7 @@ weld_boundary(const Sheet *s, double distance, int *to)
 	return merged;
 }
 
-/* The search for the least distance. */
+/* The search for the least distance above a bound. */
 typedef struct Near {
 	const Sheet *s;
 	int   *first, *corner;  /* the corners at each vertex */

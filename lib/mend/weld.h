@@ -1,4 +1,4 @@
-/* weld.h - vertices of the boundary that lie at one place become one.  Private to lib/mend. */
+/* weld.h - groups of vertices of the boundary that lie at one place.  Private to lib/mend. */
 #ifndef WELD_H
 #define WELD_H
 
@@ -10,11 +10,11 @@
  *
  * to  out  [nv] the name of each vertex
  *
- * Returns the number of vertices that are not named by themselves, or MESH_ENOMEM. */
+ * Returns the number of vertices that have the name of another, or MESH_ENOMEM. */
 int weld_boundary(const Sheet *s, double distance, int *to);
 
-/* The least distance above `distance` of two vertices on the boundary that share no edge, looked for
- * up to `most`; -1 if there is none, or no memory to look. */
+/* The least distance above `distance` and up to `most` between two vertices on the boundary that share
+ * no face; -1 if there is none, or if memory runs out. */
 double weld_nearest(const Sheet *s, double distance, double most);
 
 #endif

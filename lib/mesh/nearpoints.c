@@ -1,4 +1,4 @@
-/* nearpoints.c - points sorted by cells: a pair that is near lies in one cell or in two that touch. */
+/* nearpoints.c - sorts points by cells; two near points lie in one cell or in two that touch. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -43,7 +43,7 @@ bits(double x)
 	return w;
 }
 
-/* The points sorted by cells of that width; of width 0: by position. */
+/* Sorts the points by cells of the given width; if it is 0, by position. */
 static void
 make_cells(const double *xyz, const int *list, int n, double width, Cell *cell)
 {
@@ -76,7 +76,8 @@ first_from(const Cell *cell, int n, const int64_t at[3])
 	return lo;
 }
 
-/* Meets the points after number i, in the order of cells, in its cell and those that touch it. */
+/* Calls meet for cell[i] and each later point of the array that is at most `distance` away: such a point
+ * is in the same cell or in one that touches it. */
 static void
 meet_beside(const double *xyz, const Cell *cell, int n, int i, double distance, NearMeet *meet, void *to)
 {
@@ -101,7 +102,7 @@ meet_beside(const double *xyz, const Cell *cell, int n, int i, double distance, 
 	}
 }
 
-/* Whether cells of that width have numbers that an integer holds. */
+/* Whether the numbers of cells of that width fit into 64-bit integers. */
 static int
 countable(const double *xyz, const int *list, int n, double width)
 {

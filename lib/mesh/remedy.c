@@ -1,4 +1,4 @@
-/* remedy.c - what mesh2disk can do about a mesh that is no disk. */
+/* remedy.c - names the options of mesh2disk that mend a mesh that is no disk. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,5 @@
-/* remedy.h - what a refusal of a mesh says about mesh2disk, which can mend it.  For lib/mesh only. */
+/* remedy.h - extends the message of a refused mesh by the options of mesh2disk that can mend it.  For
+ * lib/mesh only. */
 #ifndef REMEDY_H
 #define REMEDY_H
 
