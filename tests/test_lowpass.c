@@ -8,7 +8,7 @@
 #include "surfaces.h"
 
 enum { NU = 10, NV = 7, N = NU*NV };
-static const double ACCURATE = 1e-4;    /* a hundred times the tolerance of the systems, which is one of energies */
+static const double ACCURATE = 1e-4;    /* the tolerance of the systems is 1e-6, in energy */
 
 static int
 on_open_side(Chart g, int axis, int i)
@@ -177,7 +177,7 @@ cycle_is_symmetric_and_near_the_inverse(void **state)
 			energy = inner(n, x, Ax);
 			multigrid_cycle(&m, Ax, VAx);
 			assert_in_range(1e6*inner(n, VAx, Ax)/energy, 700000, 1001000);
-			for (p = 0; p < n; p++)         /* what V A does worst comes forward */
+			for (p = 0; p < n; p++)         /* the component on which V A does worst grows */
 				x[p] -= VAx[p];
 		}
 		multigrid_free(&m);

@@ -255,7 +255,7 @@ faces_that_do_not_belong_go(void **state)
 	int a;
 
 	(void)state;
-	add(&t, t.idx[1], t.idx[0], t.idx[2]);          /* said twice, turned */
+	add(&t, t.idx[1], t.idx[0], t.idx[2]);          /* the same face again, turned */
 	add(&t, 3, 3, 4);
 	add(&t, 3, 999, 4);
 	add(&t, 3, -1, 4);

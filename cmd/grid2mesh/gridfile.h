@@ -5,7 +5,7 @@
 #include "../../lib/meshfile/meshformat.h"
 #include "../shared/cmd.h"
 
-/* What is done with the offsets of the mesh of --on. */
+/* How the offsets of the mesh of --on are used. */
 enum { OFFSETS_KEEP, OFFSETS_DROP, OFFSETS_SMOOTH };
 
 /* The mesh of --on; name is NULL if the option is not given. */

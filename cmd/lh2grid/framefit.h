@@ -5,8 +5,8 @@
 #include "../../lib/base/chart.h"
 #include "../shared/cmd.h"
 
-/* On entry phi[3][nv][nu] has the positions of the FRAME_BAND outer rings of nodes, on return the
- * whole surface.  Dies if the method fails. */
+/* Completes phi[3][nv][nu]: on entry it holds the positions of the FRAME_BAND outer rings, on return
+ * those of all nodes.  Dies if the method fails. */
 void framefit(const CmdInput *in, Chart g, const double *lambda, const double *H, double *phi);
 
 #endif

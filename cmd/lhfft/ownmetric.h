@@ -4,8 +4,8 @@
 
 #include "scales.h"
 
-/* Filter lambda, H and the place of g, if it has one, as at scale k, or die.  Set the metadata scale,
- * waves and, for --relief, relief.  before: of the input. */
+/* Filters lambda, H and the place of g, if it has one, at scale k of s, or dies.  Sets the metadata scale,
+ * waves and, for --relief, relief.  before: the metadata of the input. */
 void ownmetric_apply(const Scales *s, int k, ScalesBefore before, const CmdInput *in, Lhg *g);
 
 #endif

@@ -54,9 +54,9 @@ ScalesBefore scales_before(const Lhg *g);
  * stays. */
 void scales_set_waves(Lhg *g, ScalesBefore before, double waves);
 
-/* Filter lambda and H of g by the bound of scale k, or die.  The place is filtered with them by
- * --scale and --relief; else it is left out if lambda or H changes.  Set the metadatum "waves" if they
- * change or if there are several scales.  before: of the input. */
+/* Filters lambda and H of g by the bound of scale k, or dies.  --scale and --relief filter the place,
+ * too; other filters remove it if lambda or H changes.  Sets the metadatum "waves" if lambda or H changes
+ * or if there are several scales.  before: the metadata of the input. */
 void scales_apply(const Scales *s, int k, ScalesBefore before, const CmdInput *in, Lhg *g);
 
 #endif

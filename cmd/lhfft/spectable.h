@@ -5,10 +5,10 @@
 #include "../shared/cmd.h"
 #include "scales.h"
 
-/* Exit 2 if the grid is written to FILE, too. */
+/* Exits with 2 if file is also the output of the grid. */
 void opt_spectable(const char *file);
 
-/* Write the spectra of lambda and H of g, as a tab-separated table, to FILE, or die.
+/* Writes the spectra of lambda and H of g, as a tab-separated table, to file, or dies.
  * To be called before cmd_write: one output is open at a time. */
 void spectable_write(const char *file, const CmdInput *in, const Lhg *g, const Scales *s);
 

@@ -12,7 +12,7 @@ diagonal(const MendReport *r)
 	return hypot(hypot(r->hi[0] - r->lo[0], r->hi[1] - r->lo[1]), r->hi[2] - r->lo[2]);
 }
 
-/* A row of the table, if n is not 0. */
+/* Prints a row of the table, if n is not 0. */
 static void
 row(FILE *f, int n, const char *what, const char *fmt, ...)
 {

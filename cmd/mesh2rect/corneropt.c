@@ -16,7 +16,7 @@ typedef struct Given {
 	double x[13];
 } Given;
 
-/* Skips what separates two numbers: blanks with at most one comma, or, at the end of a point, a
+/* Skips the separator of two numbers: blanks with at most one comma, or, at the end of a point, a
  * semicolon or line ends.  Returns 2 at the end of a point, 1 between other numbers, 0 for an
  * error. */
 static int

@@ -107,7 +107,7 @@ cmd_operands(int argc, char *argv[], int min, int max)
 		misuse("operand %s is one too many", argv[optind + max]);
 	for (i = optind; i < argc; i++)
 		dashed |= argv[i][0] == '-' && argv[i][1];
-	if (dashed)                                     /* else they would be read as options */
+	if (dashed)                     /* without --, such operands would be read as options */
 		history_word("--", "", "", "");
 	for (i = optind; i < argc; i++)
 		history_word("", "", "", argv[i]);

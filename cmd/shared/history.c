@@ -123,8 +123,8 @@ split(const char *text, size_t *n)
 	return l;
 }
 
-/* The index of the oldest of the lines that are left: a summary, or else the first of those that
- * went through most merges. */
+/* The index of the oldest remaining line: a summary if there is one, otherwise the first of the lines
+ * that went through the most merges. */
 static size_t
 oldest(const Line *l, size_t n)
 {

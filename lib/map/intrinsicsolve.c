@@ -9,10 +9,10 @@
 #include "intrinsicsolve.h"
 
 enum { STRAIGHTENED = 6 };              /* solves with quadratic elements, at most */
-static const double FLAT = 1e-14;       /* area / area of the rectangle that is 0 up to rounding */
+static const double FLAT = 1e-14;       /* areas up to this share of the rectangle are 0 up to rounding */
 
-/* By the maximum principle x is 0 or 1 on the two held sides only.  Where rounding makes it so, or
- * exceeds 0 .. 1, at another vertex, the nearest value between 0 and 1 is taken. */
+/* By the maximum principle x is 0 or 1 on the two held sides only.  If rounding puts x outside the open
+ * interval (0,1) at another vertex, replaces it by the nearest number inside. */
 static void
 keep_inside(int n, const unsigned char *side, int held, double *x)
 {

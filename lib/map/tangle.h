@@ -6,7 +6,7 @@
 #include "../mesh/mesh.h"
 #include "../sample/gradient.h"
 
-/* A vertex that may move, with its number of vertexkey.h. */
+/* A vertex that may move, with its key (vertexkey.h). */
 typedef struct Mover {
 	double key;
 	int    i;

@@ -159,8 +159,8 @@ mark_first(const Sheet *s, const int *place, Placed *p, unsigned char *keep, Cle
 	}
 }
 
-/* The place of each vertex: vertices of one position have one number.  Those that are not finite,
- * which no triangle has, are taken to be at 0. */
+/* Sets place[v] to the number of the position of vertex v: vertices at equal positions have the same
+ * number.  Vertices that are not finite, which no triangle has, count as vertices at 0. */
 static int
 find_places(const Sheet *s, int *place)
 {

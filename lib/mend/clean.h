@@ -4,7 +4,7 @@
 
 #include "sheet.h"
 
-/* What was left out, and the first of each kind as the file counts, -1 if there is none. */
+/* Counts of what was left out; and, as x_at, the first of each kind, numbered as in the file, or -1. */
 typedef struct Cleaned {
 	int unused;             /* vertices of no face */
 	int missing, missing_at;        /* faces with a corner that is no vertex; the first */

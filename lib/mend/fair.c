@@ -195,8 +195,8 @@ count_entries(Operator *o, int from, int order)
 	return n;
 }
 
-/* Fills the matrix, and the right sides B with minus its columns at held vertices times their
- * positions. */
+/* Assembles the matrix a of the free vertices.  Sets the right-hand sides B to minus the columns of the
+ * held vertices times the positions of these. */
 static void
 assemble(Operator *o, int from, int order, Spd *a, double *B)
 {

@@ -150,7 +150,7 @@ drop(Round *r, int side)
 	return 1;
 }
 
-/* Mends what can be mended in one round; returns how many changes there were. */
+/* Finds the changes of one round.  Returns their number. */
 static int
 mend_some(Round *r, Flattened *sum)
 {

@@ -1,4 +1,4 @@
-/* mend.h - makes a disk, or a closed surface, of what a file has, and says what it did. */
+/* mend.h - makes a disk, or a closed surface, from the polygons of a file, and reports the changes. */
 #ifndef MEND_H
 #define MEND_H
 
@@ -17,7 +17,7 @@ typedef struct MendOptions {
 	                         * component */
 	int    fill;            /* MEND_FLAT, MEND_C1 or MEND_C2 */
 	int    cut_handles;     /* 0: handles are refused */
-	int    open;            /* what is done with a closed surface: MEND_ value */
+	int    open;            /* how closed surfaces are treated: MEND_ value */
 	double at[3];           /* MEND_OPEN_AT: the cut begins at the vertex nearest to this point */
 	int    check;           /* 1: go on after what would be refused, to report all */
 } MendOptions;
@@ -36,8 +36,8 @@ typedef struct MendLoop {
 	double length;
 } MendLoop;
 
-/* What was found and done.  Vertices and faces are numbered as in the soup; `at` is -1 if there is
- * nothing to point at.  Counts of changes are 0 if there was no such fault. */
+/* The faults found and the changes made.  Vertices and faces are numbered as in the soup.  A field x_at
+ * is -1 if x is 0. */
 typedef struct MendReport {
 	double lo[3], hi[3];    /* of the vertices that faces use */
 	int    unused;          /* vertices of no face, dropped */
@@ -84,14 +84,14 @@ typedef struct MendReport {
 
 /* Makes out from s: triangles, channel MESH_SOURCE (the number of each vertex in s, or its own MESH_SOURCE
  * if s has one; -1: made here), the channels of s (0 where a vertex was made), and out->filled.  Vertices
- * that are kept have their positions bit by bit.  Their order is that of s; a vertex made by parting
- * fans, and those of holes, follow.
+ * that are kept have their positions bit by bit, and the order that they have in s.  Vertices made by
+ * parting fans, by cuts and by filling holes follow.
  *
  * A disk without two boundary vertices at one place keeps its vertices and faces.
  *
- * s is only read; coordinates may be not finite, corners may be no vertices.  Returns 0; or MESH_ENOMEM, MESH_EORIENT or MESH_EDISK, with the reason in
- * out->err and nothing in out to free.  The report is valid up to where it failed; mend_report_free
- * frees it. */
+ * s is only read; its coordinates need not be finite, and its corners need not be numbers of vertices.
+ * Returns 0; or MESH_ENOMEM, MESH_EORIENT or MESH_EDISK, with the reason in out->err and nothing in out
+ * to free.  The report is valid up to the step that failed; mend_report_free frees it. */
 int mend(Soup *out, const Soup *s, const MendOptions *o, MendReport *r);
 
 void mend_report_free(MendReport *r);

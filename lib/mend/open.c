@@ -27,8 +27,8 @@ nearest(const Sheet *s, const int *piece, int p, const double *at)
 	return found;
 }
 
-/* Cuts from the start of the paths to the farthest vertex.  A cut of one edge opens nothing: it goes on
- * along another edge of a face there. */
+/* Cuts along the path from the start to the farthest vertex.  A cut along a single edge opens nothing, so
+ * such a cut is continued along another edge of a face there. */
 static double
 cut(PathTree *t, Sheet *s)
 {

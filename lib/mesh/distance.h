@@ -34,8 +34,8 @@ void distance_vertices(const Mesh *a, const Mesh *b, double *max, double *mean);
 int distance_hausdorff(const Mesh *a, const Mesh *b, double error, double *d);
 
 /* Sets *pairs to the number of pairs of faces that intersect in more than the vertices or the edge
- * that they share.  They share those vertices that have the same number in both.  Faces without
- * area are left out.
+ * that they share.  A vertex is shared if it has the same number in both faces.  Faces without area
+ * are left out.
  *
  * Returns 0, DISTANCE_ENOMEM, DISTANCE_EEDGE or DISTANCE_ECGAL. */
 int distance_crossings(const Mesh *m, long *pairs);

@@ -1,4 +1,4 @@
-/* facts.c - what a mesh file says of its coordinates. */
+/* facts.c - statements of a mesh file about its coordinates. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* fsbinary.c - FreeSurfer binary triangle surfaces, such as lh.pial: big-endian; three bytes ff ff fe, a
- * line of text and an empty line, the counts, floats x y z, corners; then perhaps tags, of which that of
+ * line of text and an empty line, the counts, floats x y z, corners; then perhaps tags, of which only
  * the volume geometry is read. */
 #include <string.h>
 

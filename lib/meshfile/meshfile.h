@@ -56,9 +56,9 @@ int meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most);
  * negative, if T is not positive, or if a vertex has two different (u,v). */
 int meshfile_parse_uv(Soup *s, const void *bytes, size_t n, size_t most);
 
-/* Like meshfile_parse, but for those who check themselves: coordinates may be NaN or infinite, and
- * corners may be numbers of vertices that do not exist, less than 0 if beyond an int.  Returns 0,
- * MESH_ENOMEM or MESH_EFORMAT. */
+/* Like meshfile_parse, for callers that check the result: coordinates may be NaN or infinite, and
+ * corners may be numbers of vertices that do not exist; a number beyond an int becomes one below 0.
+ * Returns 0, MESH_ENOMEM or MESH_EFORMAT. */
 int meshfile_parse_loose(Soup *s, const void *bytes, size_t n, size_t most);
 
 /* Checks whether a file can be a mesh.  It has at most `most` bytes, and the first n are at head.

@@ -33,7 +33,7 @@ skip(Reader *r, const char *what, long long n)
 	return 0;
 }
 
-/* Reads the number of a header, of records of at least `least` bytes each. */
+/* Reads a number of records, each of at least `least` bytes, and checks that the file can hold them. */
 static int
 count(Reader *r, const char *what, size_t least, long long *n)
 {

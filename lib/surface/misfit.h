@@ -17,9 +17,9 @@
  * o = 1/(1 + 4 q^2) is the weight of a node by its resolution.  q is the turn of the normal and of
  * the coordinate lines over one cell: q^2 = (h^2 + k^2)/2 (lambda^2 H^2 + 4 |grad log lambda|^2).
  * By truncation, the grid of a conformal map deviates from conformal by about q^2.  The third line
- * is hardly affected by truncation, so it is weighted by o, not o^2.  Where lambda < 0.01
- * <lambda^2>^(1/2), o is 0, or with a residue falls like lambda^2.  |H| is clipped so that
- * lambda |H| times a step is <= 2, but not with a residue.
+ * is hardly affected by truncation, so it is weighted by o, not o^2.  Where lambda^2 is below 1e-4
+ * <lambda^2>, o is 0; with a residue o is multiplied by lambda^2/(1e-4 <lambda^2>) there instead.
+ * Without a residue |H| is clipped so that lambda |H| times a step is at most 2.
  *
  * Where the surface folds over, n is smoothed: once |phi_u x phi_v| is below a thousandth of
  * lambda^2, n goes to 0 with it.  With a residue the area element is known: n = phi_u x
