@@ -17,13 +17,13 @@
 
 enum { FAIR_FLAT, FAIR_C1, FAIR_C2 };
 
-/* Moves the vertices from number `from` on.  A boundary vertex has no mean curvature: M^-1 is 0 there,
- * and the outer K leaves out the triangles that have one.
+/* Moves the vertices from number `from` on.  Mean curvature is not defined at boundary vertices: M^-1 is
+ * 0 there, and the outer K leaves out triangles with a boundary vertex.
  *
  * order  in   FAIR_C1 or FAIR_C2
  *
- * Returns the order that was used: lower if the system of the higher is singular, FAIR_FLAT if nothing
- * was moved; or MESH_ENOMEM. */
+ * Returns the order that was used, which is lower than `order` if the system of that is singular, and
+ * FAIR_FLAT if nothing was moved; or MESH_ENOMEM. */
 int fair(Sheet *s, int from, int order);
 
 #endif

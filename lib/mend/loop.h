@@ -10,8 +10,9 @@ typedef struct Loop {
 	double length;
 } Loop;
 
-/* Sets *loop to all loops, by their lowest vertices, to be freed.  Needs twins, neighbours that agree
- * and a vertex for each fan.  Returns their number, or MESH_ENOMEM. */
+/* Sets *loop to an array of all loops, in the order of their lowest vertices, to be freed.  Needs twins,
+ * neighbours that agree in orientation, and a vertex for each fan.  Returns the number of loops, or
+ * MESH_ENOMEM. */
 int loop_find(const Sheet *s, Loop **loop);
 
 /* The loop of a boundary side. */

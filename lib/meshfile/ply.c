@@ -212,7 +212,7 @@ ply_read(Reader *r)
 			free(r->s->filled);
 			r->s->filled = NULL;
 		}
-		if (c.e->kind == PLY_STRIP)     /* most of what reserve took for strips is not used */
+		if (c.e->kind == PLY_STRIP)     /* strips use little of the reserved memory */
 			soup_trim(r);
 	}
 	if (p.format == PLY_ASCII)

@@ -2,8 +2,8 @@
  * to the first column already visited in this row.
  *
  * T. A. Davis, Direct Methods for Sparse Linear Systems (2006), chapter 4.  Every entry of L is
- * visited once.  To visit the skeleton matrix would suffice, but needs three times as much code.  To
- * visit all entries takes only a tenth of the time of the factorization.
+ * visited once.  Visiting the skeleton matrix would be enough, but needs three times as much code;
+ * visiting all entries takes only a tenth of the time of the factorization.
  */
 #include <stdlib.h>
 #include <string.h>
