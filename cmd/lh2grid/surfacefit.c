@@ -200,11 +200,15 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 	FitOptions how = { .tolerance = o->tolerance, .most = o->steps, .sharpen = 1, .report = report_step,
 	    .ctx = (void *)in };
 	double began = seconds();
-	double *start = starts_at_place(g, o) ? start_at_place(in, g, &s) : has_start(g, o) ? read_start(in, g, &s) : NULL;
+	double *start = has_start(g, o) ? read_start(in, g, &s) : NULL;
 	MisfitPlace place;
 	double *held = read_place(in, g, o, &place);
 	Residue residue = { .truncation = 1 };
 
+	if (starts_at_place(g, o)) {
+		free(start);
+		start = start_at_place(in, g, &s);
+	}
 	s.place = held ? &place : NULL;
 	s.forecast = o->forecast;
 	s.detail = o->detail;
