@@ -20,9 +20,9 @@
  * second derivatives, does not converge to second order.  With quadratic elements (u,v) is
  * smooth. */
 typedef struct AdaptOptions {
-	double tolerance;       /* largest certificate.  If < 1, the triangles at the corners are
-	                         * split three times, then those with the largest terms until
-	                         * the certificate is at most this */
+	double tolerance;       /* largest certificate: the triangles with the largest terms are
+	                         * split until the certificate is at most this.  If < 1, the
+	                         * triangles at the corners are split three times before */
 	int    split;           /* how often every triangle is then split into four */
 	int    most;            /* both kinds of splitting stop at about this many vertices */
 } AdaptOptions;

@@ -1,5 +1,5 @@
-/* tangle.h - a disk with places in the rectangle, some of whose triangles are turned over; the parts
- * of untangle.h.  Private to this wing. */
+/* tangle.h - a disk mapped to the rectangle with some triangles turned over: the data of untangle.c and
+ * its parts relax.c, collapse.c.  Private to this wing. */
 #ifndef TANGLE_H
 #define TANGLE_H
 
@@ -12,7 +12,7 @@ typedef struct Mover {
 	int    i;
 } Mover;
 
-/* The vertices that may move are those of the region; it grows. */
+/* Only the vertices of a region may move; relax enlarges the region. */
 typedef struct Tangle {
 	const Disk    *d;
 	unsigned char *side;    /* [nv] of harmonic_sides, and pockets (pocket.h) */

@@ -1,4 +1,4 @@
-/* untangle.c - places with which no triangle is turned over. */
+/* untangle.c - moves vertices so that no triangle is turned over. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* untangle.h - places in the rectangle with which no triangle is turned over if its edges are drawn
- * straight (doc/mathematics.md 3.5). */
+/* untangle.h - moves vertices in the rectangle so that no triangle with straight edges is turned over
+ * (doc/mathematics.md 3.5). */
 #ifndef UNTANGLE_H
 #define UNTANGLE_H
 

@@ -44,7 +44,7 @@ measure(const Sheet *s, const int *piece, Piece *list, int *sides, int *up)
 			sides[piece[i/3]]++;
 		}
 	for (i = 0; i < 3*s->nf; i++)
-		if (s->twin[i] < 0)             /* a side at the lowest vertex of its loop: there are two */
+		if (s->twin[i] < 0)             /* twice: a loop has two sides at its lowest vertex */
 			list[piece[i/3]].loops += (sheet_root(up, s->tri[i]) == s->tri[i]) +
 			    (sheet_root(up, sheet_to(s, i)) == sheet_to(s, i));
 	for (f = 0; f < s->nf; f++) {

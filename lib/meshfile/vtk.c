@@ -48,7 +48,8 @@ corner(Vtk *v, Kind kind, Strip *strip, const char *what, long long cell, double
 	return kind == STRIPS ? soup_strip(v->r, strip, (long long)i) : soup_corner(v->r, (long long)i);
 }
 
-/* Memory for n cells of so many corners together: faces and corners, or as many triangles as strips can have. */
+/* Reserves memory for n cells with `corners` corners in all: for polygons faces and corners, for strips as
+ * many triangles as they can have. */
 static int
 reserve(Vtk *v, Kind kind, long long n, long long corners)
 {
@@ -57,7 +58,7 @@ reserve(Vtk *v, Kind kind, long long n, long long corners)
 	return kind == STRIPS ? soup_reserve(v->r, 0, (size_t)corners, 3*(size_t)corners) : 0;
 }
 
-/* Reads a number of corners, or of the first corner of a cell: at least lo, at most hi. */
+/* Reads a number of corners, or the index of the first corner of a cell: at least lo, at most hi. */
 static int
 bound(Vtk *v, Reader *r, const VtkType *type, const char *what, long long i, long long n, long long lo, long long hi,
 	long long *at)

@@ -16,7 +16,8 @@ typedef struct Vtk {
 	long long tuples;       /* values of each component of an attribute, after POINT_DATA n or CELL_DATA n */
 } Vtk;
 
-/* The next word as a whole number >= 0, as a type.  Return 0 or MESH_EFORMAT. */
+/* vtk_count reads the next word as a whole number >= 0, vtk_type as the name of a type.  Both return 0 or
+ * MESH_EFORMAT. */
 int vtk_count(Vtk *v, const char *what, long long *n);
 int vtk_type(Vtk *v, const VtkType **type);
 
@@ -30,11 +31,11 @@ int vtk_data(Vtk *v, const char *what, long long n, const VtkType *type);
 /* Reads value i of n from the place r, which may be another than v->r.  Returns 0 or MESH_EFORMAT. */
 int vtk_value(const Vtk *v, Reader *r, const VtkType *type, const char *what, long long i, long long n, double *x);
 
-/* Goes past n values. */
+/* Skips n values.  Returns 0 or MESH_EFORMAT. */
 int vtk_skip(Vtk *v, const VtkType *type, const char *what, long long n);
 
-/* Reads the section of this keyword, if it is one of attributes (SCALARS, FIELD, ..).  *known says whether.
- * Returns 0 or MESH_EFORMAT. */
+/* Reads the section of this keyword, if it is one of attributes (SCALARS, FIELD, ..); *known is set to
+ * whether it is.  Returns 0 or MESH_EFORMAT. */
 int vtk_attribute(Vtk *v, Token keyword, int *known);
 
 #endif
