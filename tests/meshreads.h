@@ -47,15 +47,21 @@ reads(const char *text, int nv, const char *faces)
 }
 
 static inline void
-refuses(const char *text, int code, const char *why)
+refuses_bytes(const char *text, size_t length, int code, const char *why)
 {
 	Soup s;
-	int e = parse(&s, text, strlen(text));
+	int e = parse(&s, text, length);
 
 	if (!e)
 		soup_free(&s);
 	if (e != code || !strstr(s.err, why))
 		fail_msg("'%.60s': code %d, '%s', not %d, '%s'", text, e, e ? s.err : "", code, why);
+}
+
+static inline void
+refuses(const char *text, int code, const char *why)
+{
+	refuses_bytes(text, strlen(text), code, why);
 }
 
 #endif

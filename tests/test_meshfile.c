@@ -255,7 +255,8 @@ other_kinds(void **state)
 	refuses("\n \n", MESH_EFORMAT, "not an OFF, OBJ, PLY, STL, ");
 	refuses("hello", MESH_EFORMAT, "not an OFF, OBJ, PLY, STL, ");
 	refuses("plywood", MESH_EFORMAT, "not an OFF, OBJ, PLY, STL, ");
-	refuses("<?xml version='1.0'?><GIFTI>", MESH_EFORMAT, "GIFTI");
+	refuses("<?xml version='1.0'?><GIFTI>", MESH_EFORMAT, "NumberOfDataArrays=\"\" is not a number");
+	refuses("<?xml version='1.0'?><X3D>", MESH_EFORMAT, "this is another XML or HTML file");
 	refuses("<html>", MESH_EFORMAT, "XML");
 	refuses("\xff\xff\xff\xff" "x", MESH_EFORMAT, "this is a FreeSurfer patch");
 	refuses("\xff\xff\xfd" "x", MESH_EFORMAT, "this is a FreeSurfer surface of quadrangles");
@@ -404,7 +405,7 @@ static void
 table_of_formats(void **state)
 {
 	static const char *const target[] = { "off", "obj", "ply", "stl", "xyz", "mni", "hoppe", "fsbinary", "fsascii",
-	    "vtk" };
+	    "vtk", "vtp", "gifti" };
 	char list[MESHFORMAT_LIST], file[100];
 	const MeshFormat *f;
 	int row;
@@ -417,7 +418,7 @@ table_of_formats(void **state)
 	assert_null(meshformat_of("off"));
 	assert_null(meshformat(-1));
 	assert_string_equal(meshformat_names(0, "or", list), "OFF, OBJ, PLY, STL, XYZ, MNI OBJ, Hoppe M, FreeSurfer, "
-	    "FreeSurfer ASCII or VTK");
+	    "FreeSurfer ASCII, VTK, VTP or GIFTI");
 	assert_string_equal(meshformat_names(MESHFORMAT_WRITE, "or", list), "OFF, OBJ, PLY or STL");
 	assert_string_equal(meshformat_names(MESHFORMAT_UV, "and", list), "OBJ and PLY");
 	assert_string_equal(meshformat_ends(MESHFORMAT_WRITE, list), ".off .obj .ply or .stl");

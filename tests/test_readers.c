@@ -1,4 +1,4 @@
-/* test_readers.c - the readers of XYZ, MNI OBJ, Hoppe M, FreeSurfer and VTK: what they read, the facts that they keep,
+/* test_readers.c - the readers of XYZ, MNI OBJ, Hoppe M, FreeSurfer, VTK, VTP and GIFTI: what they read, the facts that they keep,
  * what they refuse.  Every file is also cut at every byte: it is refused, or read as a smaller mesh only where
  * the format has no counts. */
 #include <setjmp.h>
@@ -203,6 +203,156 @@ vtk_binary(void **state)
 	cut(new, sizeof new - 1, sizeof new - 70);
 }
 
+/* ---- GIFTI ---- */
+
+#define GIFTI(n) "<?xml version=\"1.0\"?>\n<!DOCTYPE GIFTI SYSTEM \"gifti.dtd\">\n<GIFTI Version=\"1.0\" NumberOfDataArrays=\"" n "\">\n"
+#define GII(intent, type, order, dim, encoding, endian, inside) "<DataArray Intent=\"NIFTI_INTENT_" intent \
+	"\" DataType=\"NIFTI_TYPE_" type "\" ArrayIndexingOrder=\"" order "\" Dim0=\"" dim "\" Dim1=\"3\" Encoding=\"" encoding \
+	"\" Endian=\"" endian "\" ExternalFileName=\"x.bin\">" inside "</DataArray>\n"
+#define GII_POINTS(encoding, data) GII("POINTSET", "FLOAT32", "RowMajorOrder", "4", encoding, "LittleEndian", "<Data>" data "</Data>")
+#define GII_FACES(encoding, data) GII("TRIANGLE", "INT32", "RowMajorOrder", "2", encoding, "LittleEndian", "<Data>" data "</Data>")
+#define P_ASCII "0 0 0\n1 0 0\n0 1 0\n1 1 .5\n"
+#define F_ASCII "0 1 2 2 1 3"
+/* The same as bytes, by Python's base64 and zlib. */
+#define P_BASE64 "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\nAACAPwAAgD8AAAA/\n"
+#define F_BASE64 "AAAAAAEAAAACAAAAAgAAAAEAAAADAAAA"
+#define P_GZIP "eJxjYEAGDfYMWPkgGsy2BwAyLwM8"
+#define F_GZIP "eJxjYGBgYARiJigGsZmBGAAAeAAK"
+
+static void
+gifti_rules(void **state)
+{
+	static const char file[] = GIFTI("2") GII_POINTS("GZipBase64Binary", P_GZIP) GII_FACES("Base64Binary", F_BASE64) "</GIFTI>\n";
+	static const char column[] = GIFTI("3") "<DataArray Intent=\"NIFTI_INTENT_SHAPE\"><Data>x</Data></DataArray>"
+	    GII("TRIANGLE", "INT32", "ColumnMajorOrder", "2", "ASCII", "BigEndian", "<Data>0 2 1 1 2 3</Data>")
+	    GII_POINTS("ASCII", P_ASCII) "</GIFTI>";
+
+	(void)state;
+	reads(GIFTI("2") GII_POINTS("ASCII", P_ASCII) GII_FACES("ASCII", F_ASCII) "</GIFTI>", 4, "0 1 2/2 1 3");
+	reads(GIFTI("2") GII_POINTS("Base64Binary", P_BASE64) GII_FACES("GZipBase64Binary", F_GZIP) "</GIFTI>", 4, "0 1 2/2 1 3");
+	reads(file, 4, "0 1 2/2 1 3");
+	reads(column, 4, "0 1 2/2 1 3");
+	coordinate(file, sizeof file - 1, 11, 0.5);
+	coordinate(column, sizeof column - 1, 11, 0.5);
+	cut(file, sizeof file - 2, 0);
+	has_facts(file, sizeof file - 1, "source GIFTI\nunit mm\n");
+}
+
+#define SPACE "<MetaData><MD><Name><![CDATA[VolGeomC_R]]></Name><Value><![CDATA[5.5]]></Value></MD><MD><Name>VolGeomC_A</Name>" \
+	"<Value>-17</Value></MD><MD><Name>VolGeomC_S</Name><Value>18</Value></MD></MetaData><CoordinateSystemTransformMatrix>" \
+	"<DataSpace><![CDATA[NIFTI_XFORM_TALAIRACH]]></DataSpace><TransformedSpace>X</TransformedSpace><MatrixData>2 0 0 9 0 2 0 9 " \
+	"0 0 2 9 0 0 0 1</MatrixData></CoordinateSystemTransformMatrix><Data>" P_ASCII "</Data>"
+
+static void
+gifti_space(void **state)
+{
+	static const char file[] = GIFTI("2") GII("POINTSET", "FLOAT32", "RowMajorOrder", "4", "ASCII", "LittleEndian", SPACE)
+	    GII_FACES("ASCII", F_ASCII) "</GIFTI>";
+
+	(void)state;
+	has_facts(file, sizeof file - 1, "source GIFTI\nunit mm\nspace NIFTI_XFORM_TALAIRACH\nc_ras 5.5 -17 18\n");
+	coordinate(file, sizeof file - 1, 3, 1);        /* the transform is not applied */
+}
+
+static void
+gifti_refused(void **state)
+{
+	(void)state;
+	refuses(GIFTI("3") GII_POINTS("ASCII", P_ASCII) GII_FACES("ASCII", F_ASCII) "</GIFTI>", MESH_EFORMAT,
+	    "NumberOfDataArrays is 3, the file has 2");
+	refuses(GIFTI("1") GII_POINTS("ASCII", P_ASCII) "</GIFTI>", MESH_EFORMAT, "no surface: no array of triangles");
+	refuses(GIFTI("1") GII_POINTS("ASCII", "0 1 2"), MESH_EFORMAT, "header announces 12 coordinates");
+	refuses(GIFTI("1") GII_POINTS("ASCII", P_ASCII "7"), MESH_EFORMAT, "coordinates: more than 12 numbers");
+	refuses(GIFTI("1") GII_POINTS("Base64Binary", "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAACAPwAAgD8AAAA="),
+	    MESH_EFORMAT, "coordinates: data end early");
+	refuses(GIFTI("1") GII_POINTS("Base64Binary", P_BASE64 "AAAA"), MESH_EFORMAT, "more than 48 bytes");
+	refuses(GIFTI("1") GII_POINTS("Base64Binary", "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAA*AgD8AAAAAAACAPwAAgD8AAAA/"),
+	    MESH_EFORMAT, "byte 0x2a is no base64");
+	refuses(GIFTI("1") GII_POINTS("GZipBase64Binary", "eJxjYEAGDfYMWPkgGsy2BwAyLwM9"), MESH_EFORMAT, "zlib data are damaged");
+	refuses(GIFTI("1") GII_POINTS("GZipBase64Binary", F_GZIP), MESH_EFORMAT, "zlib data are damaged, or not of 48 bytes");
+	refuses(GIFTI("1") GII("POINTSET", "FLOAT32", "RowMajorOrder", "2000000000", "GZipBase64Binary", "LittleEndian",
+	    "<Data>" P_GZIP "</Data>"), MESH_EFORMAT, "header announces 6000000000 coordinates");
+	refuses(GIFTI("1") GII_POINTS("ExternalFileBinary", ""), MESH_EFORMAT, "array 0 is in an external file, 'x.bin', which is not read");
+	refuses(GIFTI("1") GII("POINTSET", "COMPLEX64", "RowMajorOrder", "4", "ASCII", "LittleEndian", ""), MESH_EFORMAT,
+	    "array 0: DataType=\"NIFTI_TYPE_COMPLEX64\" is not read");
+	refuses(GIFTI("2") GII_POINTS("ASCII", P_ASCII) GII_POINTS("ASCII", P_ASCII), MESH_EFORMAT, "more than one array of points");
+	refuses(GIFTI("2") GII_POINTS("ASCII", P_ASCII) GII_FACES("ASCII", "0 1 2 2 1 4") "</GIFTI>", MESH_EINDEX,
+	    "face 1 refers to vertex 4, there are 4");
+	refuses(GIFTI("2") GII_POINTS("ASCII", P_ASCII) GII_FACES("ASCII", "0 1 2 2 1 2.5") "</GIFTI>", MESH_EFORMAT,
+	    "face 1 has a corner 2.5");
+	refuses("<?xml version=\"1.0\"?><!DOCTYPE GIFTI [<!ENTITY a \"b\">]><GIFTI>", MESH_EFORMAT, "XML entities are not read");
+	refuses(GIFTI("2") "</GIFT>", MESH_EFORMAT, "line 4: XML: mismatched tag");
+}
+
+/* ---- VTP ---- */
+
+#define VTP(attributes) "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\" " attributes "><PolyData>"
+#define VTP_ARRAY(type, name, format, data) "<DataArray type=\"" type "\" Name=\"" name "\" format=" format ">" data "</DataArray>"
+#define VTP_PIECE(format, points, corners, offsets) "<Piece NumberOfPoints=\"4\" NumberOfPolys=\"2\"><PointData>" \
+	VTP_ARRAY("UInt8", "ids", format, points) "</PointData><Points>" VTP_ARRAY("Float32", "Points", format, points) \
+	"</Points><Polys>" VTP_ARRAY("Int32", "connectivity", format, corners) VTP_ARRAY("Int32", "offsets", format, offsets) \
+	"</Polys></Piece>"
+#define VTP_END "</PolyData></VTKFile>\n"
+#define A "\"ascii\""
+#define B "\"binary\""
+
+static void
+vtp_rules(void **state)
+{
+	static const char plain[] = VTP("") VTP_PIECE(B, "MAAAAAAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAgD8AAIA/AAAAPw==",
+	    "GAAAAAAAAAABAAAAAgAAAAIAAAABAAAAAwAAAA==", "CAAAAAMAAAAGAAAA") VTP_END;
+	static const char packed[] = VTP("header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\"") VTP_PIECE(B,
+	    "AgAAAAAAAAAYAAAAAAAAAAAAAAAAAAAADwAAAAAAAAATAAAAAAAAAA==eJxjYEAGDfYwFgAHTwDAeJxjYACBBnsGOA1m2wMAGPgCfQ==",
+	    "AgAAAAAAAAAMAAAAAAAAAAAAAAAAAAAAEQAAAAAAAAARAAAAAAAAAA==eJxjYGBgYARiJiAGAAAcAAR4nGNiYGBgBGJmIAYAADgABw==",
+	    "AQAAAAAAAAAIAAAAAAAAAAAAAAAAAAAADgAAAAAAAAA=eJxjZmBgYANiAAA4AAo=") VTP_END;
+	static const char ascii[] = VTP("") VTP_PIECE(A, P_ASCII, F_ASCII, "3 6") VTP_END;
+
+	(void)state;
+	reads(ascii, 4, "0 1 2/2 1 3");
+	reads(plain, 4, "0 1 2/2 1 3");
+	reads(packed, 4, "0 1 2/2 1 3");
+	coordinate(packed, sizeof packed - 1, 11, 0.5);
+	cut(ascii, sizeof ascii - 2, 0);
+	cut(packed, sizeof packed - 2, 0);
+	reads(VTP("") VTP_PIECE(A, P_ASCII, F_ASCII, "3 6") VTP_PIECE(A, P_ASCII "<InformationKey name=\"a\">0</InformationKey>",
+	    "0 1 3 2", "4 4") VTP_END, 8, "0 1 2/2 1 3/4 5 7 6");
+	reads(VTP("") "<Piece NumberOfPoints=\"4\" NumberOfStrips=\"1\"><Points>" VTP_ARRAY("Float64", "Points", A, P_ASCII)
+	    "</Points><Strips>" VTP_ARRAY("Int64", "connectivity", A, "0 1 2 3") VTP_ARRAY("Int64", "offsets", A, "4")
+	    "</Strips></Piece>" VTP_END, 4, "0 1 2/2 1 3");
+	refuses(VTP("") VTP_PIECE(A, P_ASCII, F_ASCII, "3 7") VTP_END, MESH_EFORMAT, "corners");
+	refuses(VTP("") VTP_PIECE(A, P_ASCII, F_ASCII, "3 2") VTP_END, MESH_EFORMAT, "offset 1 is 2, less than the one before");
+	refuses(VTP("") VTP_PIECE(A, P_ASCII, "0 1 2 2 1 4", "3 6") VTP_END, MESH_EINDEX, "face 1 refers to vertex 4, there are 4");
+	refuses(VTP("") VTP_PIECE(B, "MAAAAAAAAAAA", "", ""), MESH_EFORMAT, "header announces 12 coordinates");
+	refuses("<VTKFile type=\"UnstructuredGrid\">", MESH_EFORMAT, "VTK XML type UnstructuredGrid is not read, only PolyData");
+	refuses(VTP("compressor=\"vtkLZ4DataCompressor\"") VTP_END, MESH_EFORMAT, "data packed by vtkLZ4DataCompressor is not read");
+	refuses(VTP("") VTP_END, MESH_EFORMAT, "no Piece of PolyData");
+}
+
+#define TAIL(offset) "\"appended\" offset=\"" offset "\""
+
+/* Raw bytes in a file are no XML: they may hold any. */
+static void
+vtp_appended(void **state)
+{
+	static const char head[] = VTP("header_type=\"UInt32\"") "<Piece NumberOfPoints=\"3\" NumberOfPolys=\"1\"><Points>"
+	    VTP_ARRAY("Float32", "Points", TAIL("0"), "") "</Points><Polys>" VTP_ARRAY("Int32", "connectivity", TAIL("40"), "")
+	    VTP_ARRAY("Int32", "offsets", TAIL("56"), "") "</Polys></Piece></PolyData><AppendedData encoding=\"raw\">\n_";
+	static const char data[] = "\x24\0\0\0" FS_ZERO FS_ZERO FS_ZERO "</X>" FS_ZERO FS_ZERO FS_ZERO "<&><" FS_ZERO
+	    "\x0c\0\0\0" "\0\0\0\0\1\0\0\0\2\0\0\0" "\4\0\0\0" "\3\0\0\0";
+	static const char tail[] = "\n</AppendedData></VTKFile>\n";
+	char file[sizeof head + sizeof data + sizeof tail];
+	const size_t nh = sizeof head - 1, nd = sizeof data - 1, n = nh + nd + sizeof tail - 1;
+
+	(void)state;
+	memcpy(file, head, nh);
+	memcpy(file + nh, data, nd);
+	memcpy(file + nh + nd, tail, sizeof tail);
+	reads_bytes(file, n, 3, "0 1 2");
+	cut(file, n - 1, nh - 30);
+	file[nh] = 0x25;                                /* one byte more than nine floats */
+	refuses_bytes(file, n, MESH_EFORMAT, "coordinates: has 37 bytes, need 36");
+}
+
 static void
 facts_line_by_line(void **state)
 {
@@ -227,6 +377,8 @@ main(void)
 		cmocka_unit_test(xyz_rules), cmocka_unit_test(mni_rules), cmocka_unit_test(hoppe_rules),
 		cmocka_unit_test(freesurfer_binary), cmocka_unit_test(freesurfer_ascii),
 		cmocka_unit_test(vtk_ascii), cmocka_unit_test(vtk_binary),
+		cmocka_unit_test(gifti_rules), cmocka_unit_test(gifti_space), cmocka_unit_test(gifti_refused),
+		cmocka_unit_test(vtp_rules), cmocka_unit_test(vtp_appended),
 		cmocka_unit_test(facts_line_by_line)
 	};
 

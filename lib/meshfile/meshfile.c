@@ -31,19 +31,6 @@ static const struct {
 	{ "\x1f\x8b", 2,              "gzip data within gzip data" }
 };
 
-/* Whether the first 2000 bytes contain the word. */
-static int
-contains(const MeshStart *m, const char *word)
-{
-	const size_t n = strlen(word), end = m->n < 2000 ? m->n : 2000;
-	size_t i;
-
-	for (i = 0; i + n <= end; i++)
-		if (memcmp(m->p + i, word, n) == 0)
-			return 1;
-	return 0;
-}
-
 /* Whether it is UTF-16 text without a byte order mark, of which every second byte is 0. */
 static int
 is_utf16(const MeshStart *m)
@@ -67,9 +54,6 @@ other_format(const MeshStart *m)
 			return OTHER[i].kind;
 	if (is_utf16(m))
 		return UTF16;
-	if (m->word.n > 0 && *m->word.s == '<')
-		return contains(m, "GIFTI") ? "a GIFTI file" :
-		    contains(m, "VTKFile") ? "a VTK XML file" : "an XML or HTML file";
 	return NULL;
 }
 
@@ -113,7 +97,9 @@ choose(const MeshStart *m, char *err)
 		mesh_fail(err, MESH_EFORMAT, "this is %s, not %s", kind, meshformat_names(0, "or", list));
 		return NULL;
 	}
-	if (!best)
+	if (!best && m->word.n > 0 && *m->word.s == '<')
+		mesh_fail(err, MESH_EFORMAT, "this is another XML or HTML file, not %s", meshformat_names(0, "or", list));
+	else if (!best)
 		mesh_fail(err, MESH_EFORMAT, "not an %s file", meshformat_names(0, "or", list));
 	return best;
 }
@@ -156,10 +142,10 @@ check_corners(Reader *r)
 enum { PARSE_UV = 1, PARSE_LOOSE = 2 };
 
 static int
-parse_unpacked(Soup *s, const char *p, size_t n, int flags)
+parse_unpacked(Soup *s, const char *p, size_t n, size_t most, int flags)
 {
 	const MeshStart m = beginning_of(p, n, n, n);
-	Reader r = { .p = m.p, .end = m.p + m.n, .line = 1, .s = s,
+	Reader r = { .p = m.p, .end = m.p + m.n, .line = 1, .s = s, .most = most,
 		.read_uv = flags & PARSE_UV, .loose = flags & PARSE_LOOSE };
 	const MeshFormat *format;
 	char list[MESHFORMAT_LIST];
@@ -192,10 +178,10 @@ parse(Soup *s, const void *bytes, size_t n, size_t most, int flags)
 
 	memset(s, 0, sizeof *s);
 	if (!is_gzip(p, n))
-		return parse_unpacked(s, p, n, flags);
+		return parse_unpacked(s, p, n, most, flags);
 	if ((e = gunzip(p, n, most, &out, &n, s->err)) != 0)
 		return e;
-	e = parse_unpacked(s, out, n, flags);
+	e = parse_unpacked(s, out, n, most, flags);
 	free(out);
 	return e;
 }

@@ -25,6 +25,8 @@
  * FreeSurfer  surfaces of triangles, binary and ASCII; the volume geometry becomes facts (facts.h)
  * VTK  legacy files of versions 1 to 5.1, ASCII and binary: POLYDATA, polygons and triangle strips; attributes
  *      are skipped
+ * VTP  VTK XML files of PolyData: ASCII, base64, appended; plain or packed by zlib
+ * GIFTI       surfaces: ASCII, Base64Binary, GZipBase64Binary; transforms are not applied
  *
  * most  in  the most bytes that gzip data may unpack to
  *
@@ -38,7 +40,8 @@
  * most 3 bytes for each unpacked byte plus 4 for each byte of input.  zlib takes 64 KiB more.  Data
  * that unpack to more than `most` bytes are refused.  So are data that unpack to more than 4 KiB
  * plus 1100 bytes for each byte of input: they are damaged, as deflate compresses by at most
- * 1030:1. */
+ * 1030:1.  Data packed inside a VTP or GIFTI file count as unpacked bytes by the number that the file
+ * announces, with the same two limits. */
 int meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most);
 
 /* Like meshfile_parse, but also reads the (u,v) of every vertex into the channel MESH_UV, the

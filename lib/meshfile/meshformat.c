@@ -20,7 +20,9 @@ static const MeshFormat table[] = {
 	{ "Hoppe M", ".m", SHARED,            hoppe_recognise, hoppe_read, NULL },
 	{ "FreeSurfer", ".pial .white", SHARED,    fsbinary_recognise, fsbinary_read, NULL },
 	{ "FreeSurfer ASCII", ".asc", SHARED, fsascii_recognise, fsascii_read, NULL },
-	{ "VTK", ".vtk", SHARED,              vtk_recognise, vtk_read, NULL }
+	{ "VTK", ".vtk", SHARED,              vtk_recognise, vtk_read, NULL },
+	{ "VTP", ".vtp", SHARED,              vtp_recognise, vtp_read, NULL },
+	{ "GIFTI", ".gii", SHARED,            gifti_recognise, gifti_read, NULL }
 };
 
 enum { ROWS = sizeof table / sizeof *table };

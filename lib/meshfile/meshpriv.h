@@ -17,6 +17,7 @@ typedef struct Reader {
 	double *uv;             /* the values of MESH_UV, once uv_start made it */
 	double (*offset)[4];    /* the values for MESH_OFFSET; noffset of them were read */
 	size_t noffset, capoffset;
+	size_t most;            /* the most bytes that packed data in the file may unpack to */
 	Soup  *s;
 	size_t ni;              /* corners read, including those of the unfinished face */
 	size_t capv, capf, capi;        /* the allocated lengths of xyz/3, first and idx */
@@ -143,6 +144,10 @@ int fsascii_recognise(const MeshStart *m);
 int fsascii_read(Reader *r);
 int vtk_recognise(const MeshStart *m);
 int vtk_read(Reader *r);
+int vtp_recognise(const MeshStart *m);
+int vtp_read(Reader *r);
+int gifti_recognise(const MeshStart *m);
+int gifti_read(Reader *r);
 
 /* Whether a file begins with the n bytes of magic. */
 int start_has(const MeshStart *m, const char *magic, size_t n);
