@@ -14,6 +14,7 @@
 #include <cmocka.h>
 
 #include "../lib/mesh/channel.h"
+#include "../lib/mesh/filled.h"
 #include "../lib/meshfile/meshfile.h"
 #include "meshreads.h"
 
@@ -969,6 +970,68 @@ soup_round_trip(void **state)
 	}
 }
 
+/* PLY carries the numbers that vertices had in another file, and the marks of faces that fill holes;
+ * remarks become comments. */
+static void
+marks_of_mesh2disk(void **state)
+{
+	Soup a = polygons(5), b, out;
+	const double *source;
+	char *p, *q;
+	size_t n, nq;
+	int v, f;
+
+	(void)state;
+	channels_free(&a.channels);
+	assert_non_null(channel_add(&a.channels, MESH_SOURCE, 1, (size_t)a.nv));
+	assert_non_null(a.filled = malloc((size_t)a.nf));
+	for (v = 0; v < a.nv; v++)
+		channel_values(&a.channels, MESH_SOURCE)[v] = v == 1 ? -1 : 2147483647 - v;
+	for (f = 0; f < a.nf; f++)
+		a.filled[f] = f%2;
+	a.remarks = "one\ntwo\n";
+	assert_int_equal(meshfile_write(&a, meshformat_of("x.ply"), &p, &n), 0);
+	assert_non_null(strstr(p, "comment one\ncomment two\n"));
+	assert_int_equal(parse(&b, p, n), 0);
+	source = channel_values(&b.channels, MESH_SOURCE);
+	assert_memory_equal(source, channel_values(&a.channels, MESH_SOURCE), (size_t)a.nv*sizeof *source);
+	assert_memory_equal(b.filled, a.filled, (size_t)a.nf);
+	b.remarks = a.remarks;
+	assert_int_equal(meshfile_write(&b, meshformat_of("x.ply"), &q, &nq), 0);
+	assert_true(nq == n && memcmp(p, q, n) == 0);
+	assert_int_equal(filled_drop(&b), a.nf/2);
+	assert_null(b.filled);
+	assert_int_equal(b.nf, a.nf - a.nf/2);
+	assert_int_equal(filled_drop(&b), 0);
+	soup_free(&b);
+	free(q);
+
+	assert_int_equal(meshfile_write(&a, meshformat_of("x.off"), &q, &nq), 0);
+	assert_int_equal(parse(&out, q, nq), 0);        /* OFF has no place for them */
+	assert_true(!out.filled && !channel_find(&out.channels, MESH_SOURCE));
+	soup_free(&out);
+	free(p);
+	free(q);
+	soup_free(&a);
+}
+
+/* What is no error of the file, but of the mesh, is left to those who read loosely. */
+static void
+loose_reading(void **state)
+{
+	static const char text[] = "OFF\n3 2 0\n0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 7\n";
+	Soup s;
+
+	(void)state;
+	assert_int_equal(meshfile_parse(&s, text, sizeof text - 1, MESHFILE_MOST), MESH_EVALUE);
+	assert_int_equal(meshfile_parse_loose(&s, text, sizeof text - 1, MESHFILE_MOST), 0);
+	assert_int_equal(s.nf, 2);
+	assert_int_equal(s.idx[5], 7);
+	assert_false(isfinite(s.xyz[2]));
+	soup_free(&s);
+	assert_int_equal(meshfile_parse_loose(&s, text, 20, MESHFILE_MOST), MESH_EFORMAT);
+}
+
 /* A file with (u,v) that is cut anywhere or has a changed byte is refused, or gives a soup with
  * finite (u,v). */
 static void
@@ -1031,6 +1094,8 @@ main(void)
 		cmocka_unit_test(ply_uv),
 		cmocka_unit_test(offsets),
 		cmocka_unit_test(soup_round_trip),
+		cmocka_unit_test(marks_of_mesh2disk),
+		cmocka_unit_test(loose_reading),
 		cmocka_unit_test(damaged_uv),
 	};
 

@@ -97,6 +97,13 @@ list_property(Record *c, const PlyProp *q)
 	return 0;
 }
 
+/* x if it can be the number of a vertex, else -1. */
+static double
+number_or_none(double x)
+{
+	return x >= 0 && x < 1L << 31 && x == (double)(long)x ? x : -1;
+}
+
 static int
 record(Record *c)
 {
@@ -117,7 +124,7 @@ record(Record *c)
 	if (c->e->kind == PLY_VERTEX && c->p->offset && (e = offset_append(c->p->r, c->x + PLY_OFFSET)) != 0)
 		return e;
 	if (c->e->kind == PLY_VERTEX && c->p->source)
-		c->p->source[c->i] = c->x[PLY_SOURCE] >= 0 && c->x[PLY_SOURCE] < 1L << 31 ? c->x[PLY_SOURCE] : -1;
+		c->p->source[c->i] = number_or_none(c->x[PLY_SOURCE]);
 	if (c->e->kind == PLY_FACE && c->p->r->s->filled)
 		c->p->r->s->filled[c->i] = c->x[PLY_FILLED] != 0;
 	if (c->e->kind == PLY_VERTEX)

@@ -35,6 +35,7 @@ valid(const Soup *s)
 {
 	const double *uv = channel_values(&s->channels, MESH_UV);
 	const double *o = channel_values(&s->channels, MESH_OFFSET);
+	const double *source = channel_values(&s->channels, MESH_SOURCE);
 	size_t i;
 	int f;
 
@@ -50,6 +51,10 @@ valid(const Soup *s)
 		fuzz_need(isfinite(uv[i]), "a (u,v) is not finite");
 	for (i = 0; o && i < 4*(size_t)s->nv; i++)
 		fuzz_need(isfinite(o[i]) && (i%4 < 3 || o[i] >= 0), "an offset is not finite");
+	for (i = 0; source && i < (size_t)s->nv; i++)
+		fuzz_need(source[i] >= -1 && source[i] == floor(source[i]), "a source is no number of a vertex");
+	for (f = 0; s->filled && f < s->nf; f++)
+		fuzz_need(s->filled[f] <= 1, "a face is neither filled nor not");
 	fuzz_need(s->T >= 0 && isfinite(s->T), "T is neither 0 nor positive");
 }
 
