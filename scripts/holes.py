@@ -8,7 +8,7 @@ of the area.  The vertex is the one farthest, along edges, from the boundary.  m
 hole in three ways.  For each the table has the mean distance of the fill from the faces that were
 cut out (over points on the fill's faces, weighted by area), over the radius sqrt(area/pi) of the
 hole; and whether the vertices outside kept their bits.  The last lines are geometric means.
-Programs are looked for in PATH, after build/bin."""
+Programs that are not in PATH are looked for in build/bin."""
 import heapq
 import os
 import subprocess
@@ -17,7 +17,7 @@ import tempfile
 
 import numpy as np
 
-os.environ['PATH'] = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'build', 'bin') + ':' + os.environ['PATH']
+os.environ['PATH'] += ':' + os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'build', 'bin')
 FILLS = 'flat', 'C1', 'C2'
 
 
