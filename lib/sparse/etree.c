@@ -77,8 +77,8 @@ find_parents(Etree *t)
 /* Sets to[p] to the place of column p in a postorder in which the child with the longest column
  * comes directly before its parent.  All arrays are [n+1]: column n is added as a common root of all
  * trees.  Scratch: longest[p], the child of p with the longest column; size[p], the number of
- * columns in the subtree of p; end[p], where the subtree of the next of the other children of p
- * ends. */
+ * columns in the subtree of p; end[p], one past the last place left for the other children of p, whose
+ * subtrees are placed from the last to the first. */
 static void
 postorder(const Etree *t, int *to, int *longest, int *size, int *end)
 {

@@ -54,18 +54,19 @@ blend_with_place(const Misfit *m, double *phi)
 	}
 }
 
-/* If the border is ragged, smoothing may leave the cell in corner k folded.  So if phi, before the
- * smoothing, is folded there, the inner node of that cell is put halfway between the corner and the
- * next node of the diagonal. */
+/* If the border is ragged, smoothing may leave the cell in corner k folded.  Its inner node is then put
+ * halfway between the corner and the next node of the diagonal. */
 static void
-unfold(Chart g, int k, const double *const phi[3], double *moved)
+unfold(Chart g, int k, double *phi)
 {
+	size_t n = (size_t)g.nu*g.nv;
+	const double *const x[3] = { phi, phi + n, phi + 2*n };
 	int from = corner_node(g, k, 0, 0), at = corner_node(g, k, 1, 1), to = corner_node(g, k, 2, 2), c;
 
-	if (!corner_cell_folded(g, k, phi, 0, 0))
+	if (!corner_cell_folded(g, k, x, 0, 0))
 		return;
-	for (c = 0; c < 3; c++, moved += (size_t)g.nu*g.nv)
-		moved[at] = (moved[from] + moved[to])/2;
+	for (c = 0; c < 3; c++, phi += n)
+		phi[at] = (phi[from] + phi[to])/2;
 }
 
 /* Writes phi with the corners of `which` smoothed to `to`. */
@@ -87,7 +88,7 @@ smooth(const Misfit *m, const int which[4], const double *phi, double *to)
 	field_add(3*all, 1, phi, to);
 	for (k = 0; k < 4; k++)
 		if (which[k])
-			unfold(m->g, k, x, to);
+			unfold(m->g, k, to);
 	plate_free(&plate);
 	return 0;
 }
