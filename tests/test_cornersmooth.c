@@ -1,6 +1,7 @@
 /* test_cornersmooth.c - cornersmooth.h: folded corners are smoothed, others stay as they are. */
 #include "cmock.h"
 
+#include "../lib/grid/cornerfold.h"
 #include "../lib/surface/cornersmooth.h"
 #include "surfaces.h"
 
@@ -86,6 +87,25 @@ crumpled_corner_of_a_smooth_boundary_is_smoothed(void **state)
 	misfit_free(&m);
 }
 
+/* Node 3 of the border goes back beyond node 2.  The harmonic function follows it. */
+static void
+cells_that_a_ragged_border_folds_are_turned_back(void **state)
+{
+	const double *const x[3] = { phi, phi + N, phi + 2*N };
+	Misfit m = misfit_of(doubled);
+	int c;
+
+	(void)state;
+	crumple(0, 0, 2e-3);
+	for (c = 0; c < 3; c++)
+		phi[c*N + 3] += 2.4*(phi[c*N + 2] - phi[c*N + 3]);
+	assert_true(corner_folds(chart, 0, x, 10) > 0);
+	assert_int_equal(corners_smooth(&m, phi), 0);
+	assert_int_equal(corner_folds(chart, 0, x, 10), 0);
+	assert_true(largest(3*N, phi, truth) < 3e-3);
+	misfit_free(&m);
+}
+
 /* All four corners of a sphere patch are right angles. */
 static void
 only_folded_corners_are_touched(void **state)
@@ -132,6 +152,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(crumpled_corner_of_a_smooth_boundary_is_smoothed),
+		cmocka_unit_test(cells_that_a_ragged_border_folds_are_turned_back),
 		cmocka_unit_test(only_folded_corners_are_touched),
 		cmocka_unit_test(corner_that_keeps_its_folds_stays),
 	};

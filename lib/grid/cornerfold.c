@@ -20,9 +20,8 @@ corner_node(Chart g, int k, int a, int b)
 	return (k >= 2 ? g.nv - 1 - b : b)*g.nu + (is_right(k) ? g.nu - 1 - a : a);
 }
 
-/* The normal of cell (a,b), of any length. */
-static void
-cell_normal(Chart g, int k, const double *const phi[3], int a, int b, double n[3])
+void
+corner_cell_normal(Chart g, int k, const double *const phi[3], int a, int b, double n[3])
 {
 	double x[3], y[3];
 	int c;
@@ -41,11 +40,11 @@ corner_cell_folded(Chart g, int k, const double *const phi[3], int a, int b)
 	double n[3], m[3];
 	int i;
 
-	cell_normal(g, k, phi, a, b, n);
+	corner_cell_normal(g, k, phi, a, b, n);
 	for (i = 0; i < 4; i++) {
 		if (a + beside[i][0] < 0 || b + beside[i][1] < 0)
 			continue;
-		cell_normal(g, k, phi, a + beside[i][0], b + beside[i][1], m);
+		corner_cell_normal(g, k, phi, a + beside[i][0], b + beside[i][1], m);
 		if (!(dot3(n, m) > 0))
 			return 1;
 	}

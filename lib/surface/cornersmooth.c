@@ -5,6 +5,7 @@
 #include "../base/corner.h"
 #include "../base/field.h"
 #include "../grid/cornerfold.h"
+#include "../grid/cornerunfold.h"
 #include "../grid/stencil.h"
 #include "../poisson/plate.h"
 #include "cornersmooth.h"
@@ -54,21 +55,6 @@ blend_with_place(const Misfit *m, double *phi)
 	}
 }
 
-/* If the border is ragged, smoothing may leave the cell in corner k folded.  Its inner node is then put
- * halfway between the corner and the next node of the diagonal. */
-static void
-unfold(Chart g, int k, double *phi)
-{
-	size_t n = (size_t)g.nu*g.nv;
-	const double *const x[3] = { phi, phi + n, phi + 2*n };
-	int from = corner_node(g, k, 0, 0), at = corner_node(g, k, 1, 1), to = corner_node(g, k, 2, 2), c;
-
-	if (!corner_cell_folded(g, k, x, 0, 0))
-		return;
-	for (c = 0; c < 3; c++, phi += n)
-		phi[at] = (phi[from] + phi[to])/2;
-}
-
 /* Writes phi with the corners of `which` smoothed to `to`. */
 static int
 smooth(const Misfit *m, const int which[4], const double *phi, double *to)
@@ -86,9 +72,6 @@ smooth(const Misfit *m, const int which[4], const double *phi, double *to)
 			add_source(m->g, k, x, to);
 	plate_solve(&plate, 0, 1, 0, to);
 	field_add(3*all, 1, phi, to);
-	for (k = 0; k < 4; k++)
-		if (which[k])
-			unfold(m->g, k, to);
 	plate_free(&plate);
 	return 0;
 }
@@ -118,14 +101,15 @@ int
 corners_smooth(const Misfit *m, double *phi)
 {
 	size_t all = (size_t)m->g.nu*m->g.nv;
-	const double *const x[3] = { phi, phi + all, phi + 2*all };
+	double *const x[3] = { phi, phi + all, phi + 2*all };
+	const double *const fixed[3] = { x[0], x[1], x[2] };
 	int k, count = 0, left = 1, e = 0, which[4];
 	double *to = NULL;
 
 	if (m->place)
 		blend_with_place(m, phi);
 	for (k = 0; k < 4; k++)
-		count += which[k] = wants(m, k, x);
+		count += which[k] = wants(m, k, fixed);
 	if (count && !(to = malloc(3*all*sizeof *to)))
 		return CORNERSMOOTH_ENOMEM;
 	while (!e && count && left) {
@@ -135,6 +119,9 @@ corners_smooth(const Misfit *m, double *phi)
 	}
 	if (!e && count)
 		memcpy(phi, to, 3*all*sizeof *to);
+	for (k = 0; k < 4 && !e && count; k++)
+		if (which[k])
+			corner_unfold(m->g, k, x, corner_radius(m->g));
 	free(to);
 	return e;
 }
