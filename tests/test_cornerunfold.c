@@ -9,7 +9,7 @@
 enum { NU = 41, NV = 37, N = NU*NV };
 static const Chart chart = { NU, NV, 0.8, &CHART_RECTANGLE };
 static double phi[3*N], before[3*N], lambda[N], H[N];
-static double *const x[3] = { phi, phi + N, phi + 2*N };
+static double *x[3] = { phi, phi + N, phi + 2*N };
 static const double *const now[3] = { phi, phi + N, phi + 2*N };
 
 static void
