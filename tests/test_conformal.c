@@ -104,12 +104,61 @@ numbering_does_not_matter(void **state)
 	}
 }
 
+/* A triangle whose longest edge is split: on its two halves the smooth surface is folded and far from
+ * conformal, mean modulus .5 of the Beltrami coefficient.  It is rotated by `angle`. */
+static void
+halves(double angle, Disk *d)
+{
+	static const double x[4][2] = { { 0, 0 }, { 1.1, 0 }, { .75, .45 }, { .4, .9 } };
+	double xyz[12];
+	int i;
+
+	for (i = 0; i < 4; i++) {
+		xyz[3*i] = cos(angle)*x[i][0] - sin(angle)*x[i][1];
+		xyz[3*i+1] = sin(angle)*x[i][0] + cos(angle)*x[i][1];
+		xyz[3*i+2] = 0;
+	}
+	assert_int_equal(disks_of(4, xyz, 2, (int[]){ 0, 1, 2, 0, 2, 3 }, d), 0);
+}
+
+/* Polishing a grid that is far from conformal does not enlarge rounding errors: the triangle rotated,
+ * or given with other corners first, has the same grid. */
+static void
+bad_start_is_polished_in_one_way(void **state)
+{
+	static const int vertex[3][4] = { { 0, 1, 2, 3 }, { 0, 1, 2, 3 }, { 1, 2, 3, 0 } };
+	static const double angle[3] = { 0, 1, 0 };
+	Conformal c[3];
+	int i, j, k, r;
+	Disk d;
+
+	(void)state;
+	for (k = 0; k < 3; k++) {
+		halves(angle[k], &d);
+		grid_of(&d, vertex[k], &c[k]);
+		disk_free(&d);
+	}
+	assert_true(c[0].polished > 0);
+	for (j = 0; j < NU; j++)
+		for (i = 0; i < NU; i++)
+			for (k = 1; k < 3; k++) {
+				double x = c[0].grid.phi[0][j*NU+i], y = c[0].grid.phi[1][j*NU+i];
+
+				r = k == 1 ? j*NU + i : (NU - 1 - i)*NU + j;
+				assert_true(fabs(c[k].grid.phi[0][r] - cos(angle[k])*x + sin(angle[k])*y) < 1e-9);
+				assert_true(fabs(c[k].grid.phi[1][r] - sin(angle[k])*x - cos(angle[k])*y) < 1e-9);
+			}
+	for (k = 0; k < 3; k++)
+		conformal_free(&c[k]);
+}
+
 int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(H_is_of_second_order),
 		cmocka_unit_test(numbering_does_not_matter),
+		cmocka_unit_test(bad_start_is_polished_in_one_way),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

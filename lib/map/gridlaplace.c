@@ -10,8 +10,15 @@
 #include "../poisson/planelaplace.h"
 #include "../base/vec3.h"
 
-enum { MOST_STEPS = 200 };
-static const double REDUCTION = 1e-3;   /* of the norm of the preconditioned residual */
+enum { FEW_STEPS = 20, MOST_STEPS = 400 };
+static const double REDUCTION = 1e-3;   /* of the norm of the preconditioned residual: enough where
+                                         * FEW_STEPS reach it.. */
+static const double EXACT = 1e-6;       /* ..and from there on where they do not, because errors of
+                                         * rounding then grow */
+static const double FLATTEST = 1e-3;    /* smallest ratio of the eigenvalues of the metric: flatter
+                                         * cells tell nothing of the surface.  The eigenvalues of A
+                                         * are then within 1e-3 .. 1 of the largest, for which CG
+                                         * needs at most about MOST_STEPS steps */
 
 /* ---- the matrix ------------------------------------------------------ */
 
@@ -75,6 +82,17 @@ tangents(const Cell *cell, double central, double x, double y, const double du[4
 	}
 }
 
+/* Adds a multiple of the identity to a metric that is flatter than FLATTEST. */
+static void
+thicken(double *E, double F, double *G)
+{
+	double middle = (*E + *G)/2, radius = sqrt((*E - *G)*(*E - *G)/4 + F*F);
+	double more = (FLATTEST*(middle + radius) - (middle - radius))/(1 - FLATTEST);
+
+	if (more > 0)
+		*E += more, *G += more;
+}
+
 /* Adds the contribution of quadrature point (x,y) to the lower triangle m of the cell's matrix. */
 static void
 add_point(const Cell *cell, double central, double x, double y, double m[10])
@@ -87,7 +105,8 @@ add_point(const Cell *cell, double central, double x, double y, double m[10])
 
 	tangents(cell, central, x, y, du, dv, phi_u, phi_v);
 	E = dot3(phi_u, phi_u), F = dot3(phi_u, phi_v), G = dot3(phi_v, phi_v); /* (3), (5) */
-	area = sqrt(fmax(E*G - F*F, 1e-6*E*G));         /* a flat cell stays finite */
+	thicken(&E, F, &G);
+	area = sqrt(fmax(E*G - F*F, 0));
 	if (!(area > 0))
 		E = G = area = 1, F = 0;
 	for (a = 0; a < 4; a++)
@@ -199,12 +218,13 @@ solve(const GridLaplace *l, const PlaneLaplace *plane, double *f, double *work)
 	size_t n = (size_t)l->g.nu*l->g.nv, q;
 	Harmonic harmonic = { l, plane };
 	CgSystem s = { n, apply, precondition, &harmonic };
-	CgLimits limits = { REDUCTION, MOST_STEPS, HUGE_VAL, 0, 0 };
+	CgLimits few = { REDUCTION, FEW_STEPS, HUGE_VAL, 0, 0 }, most = { EXACT, MOST_STEPS, HUGE_VAL, 0, 0 };
 
 	gridlaplace_apply(l, f, work);
 	for (q = 0; q < n; q++)
 		work[q] = -work[q];
-	cg(&s, &limits, f, work, work + n, work + 2*n, work + 3*n);
+	if (cg(&s, &few, f, work, work + n, work + 2*n, work + 3*n).steps == FEW_STEPS)
+		cg(&s, &most, f, work, work + n, work + 2*n, work + 3*n);
 }
 
 int

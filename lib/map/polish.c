@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "../grid/bicubic.h"
-#include "carry.h"
 #include "gridlaplace.h"
+#include "inverse.h"
 #include "../grid/lambdah.h"
 #include "polish.h"
 #include "../base/stats.h"
@@ -95,27 +95,6 @@ find_shift(const Grid *a, int metric, Shift *s)
 	return 0;
 }
 
-/* The point (x,y), in grid steps, that the shift moves to (i,j).  It is found by fixed-point
- * iteration of x = i - du(x,y), y = j - dv(x,y), damped if it has not converged after 30 steps. */
-static void
-invert(const Shift *s, Chart g, int i, int j, double *x, double *y)
-{
-	double dx = 1, dy = 1, w;
-	Bicubic at;
-	int k;
-
-	*x = i - s->du[(size_t)j*g.nu + i];
-	*y = j - s->dv[(size_t)j*g.nu + i];
-	for (k = 0; k < 200 && fmax(fabs(dx), fabs(dy)) > 1e-6; k++) {
-		w = k < 30 ? 1 : 0.3;
-		at = bicubic_at(g.nu, g.nv, *x, *y);
-		dx = w*(i - *x - bicubic_value(&at, s->du));
-		dy = w*(j - *y - bicubic_value(&at, s->dv));
-		*x = fmin(fmax(*x + dx, 0), g.nu - 1);
-		*y = fmin(fmax(*y + dy, 0), g.nv - 1);
-	}
-}
-
 static int
 resample(const Sampler *sampler, const Grid *a, const Shift *s, Grid *b)
 {
@@ -123,13 +102,12 @@ resample(const Sampler *sampler, const Grid *a, const Shift *s, Grid *b)
 
 	b->g = a->g;
 	b->g.T = s->T;
-	#pragma omp parallel for schedule(dynamic, 256)
+	if (shift_inverse(a->g, s, b->x, b->y))
+		return POLISH_ENOMEM;
+	#pragma omp parallel for schedule(static)
 	for (p = 0; p < nu*nv; p++) {
-		double x, y;
-		Bicubic at;
+		Bicubic at = bicubic_at(nu, nv, b->x[p], b->y[p]);
 
-		invert(s, a->g, p%nu, p/nu, &x, &y);
-		at = bicubic_at(nu, nv, x, y);
 		b->x[p] = fmin(fmax(bicubic_value(&at, a->x), 0), 1);
 		b->y[p] = fmin(fmax(bicubic_value(&at, a->y), 0), sampler->l.T);
 	}
