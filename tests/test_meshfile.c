@@ -406,7 +406,7 @@ static void
 table_of_formats(void **state)
 {
 	static const char *const target[] = { "off", "obj", "ply", "stl", "xyz", "mni", "hoppe", "fsbinary", "fsascii",
-	    "vtk", "vtp", "gifti" };
+	    "vtk", "vtp", "gifti", "gltf" };
 	char list[MESHFORMAT_LIST], file[100];
 	const MeshFormat *f;
 	int row;
@@ -419,7 +419,7 @@ table_of_formats(void **state)
 	assert_null(meshformat_of("off"));
 	assert_null(meshformat(-1));
 	assert_string_equal(meshformat_names(0, "or", list), "OFF, OBJ, PLY, STL, XYZ, MNI OBJ, Hoppe M, FreeSurfer, "
-	    "FreeSurfer ASCII, VTK, VTP or GIFTI");
+	    "FreeSurfer ASCII, VTK, VTP, GIFTI or glTF");
 	assert_string_equal(meshformat_names(MESHFORMAT_WRITE, "or", list), "OFF, OBJ, PLY or STL");
 	assert_string_equal(meshformat_names(MESHFORMAT_UV, "and", list), "OBJ and PLY");
 	assert_string_equal(meshformat_ends(MESHFORMAT_WRITE, list), ".off .obj .ply or .stl");

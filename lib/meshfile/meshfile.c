@@ -23,7 +23,6 @@ static const struct {
 	{ "MATLAB 5.0 MAT-file", 19,  "a MATLAB file" },
 	{ "\x89HDF", 4,               "an HDF5 file" },
 	{ "lhg ", 4,                  "an lhg grid" },
-	{ "glTF", 4,                  "a glTF file" },
 	{ "PK\3\4", 4,                "a zip archive" },
 	{ "\x28\xb5\x2f\xfd", 4,      "a zstd file" },
 	{ "\xfd" "7zXZ", 5,           "an xz file" },

@@ -27,6 +27,9 @@
  *      are skipped
  * VTP  VTK XML files of PolyData: ASCII, base64, appended; plain or packed by zlib
  * GIFTI       surfaces: ASCII, Base64Binary, GZipBase64Binary; transforms are not applied
+ * glTF 2  .glb, and .gltf with its data inside: triangles, strips and fans of all meshes of the scene, placed by
+ *      the transforms of their nodes; vertices are not welded; a scene that needs more than 8 bytes for each byte
+ *      of the file, as a mesh that many nodes use can, is refused
  *
  * most  in  the most bytes that gzip data may unpack to
  *

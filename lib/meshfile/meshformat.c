@@ -22,7 +22,8 @@ static const MeshFormat table[] = {
 	{ "FreeSurfer ASCII", ".asc", SHARED, fsascii_recognise, fsascii_read, NULL },
 	{ "VTK", ".vtk", SHARED,              vtk_recognise, vtk_read, NULL },
 	{ "VTP", ".vtp", SHARED,              vtp_recognise, vtp_read, NULL },
-	{ "GIFTI", ".gii", SHARED,            gifti_recognise, gifti_read, NULL }
+	{ "GIFTI", ".gii", SHARED,            gifti_recognise, gifti_read, NULL },
+	{ "glTF", ".glb .gltf", SHARED,       gltf_recognise, gltf_read, NULL }
 };
 
 enum { ROWS = sizeof table / sizeof *table };

@@ -110,6 +110,10 @@ int record_vertex(Reader *r, long long count);
 /* Appends the fact (facts.h), unless the value is empty.  Returns 0 or MESH_ENOMEM. */
 int fact_add(Reader *r, const char *key, Token value);
 
+/* Decodes the next n bytes of base64 text from *p on, a run of its own with = at its end, and advances *p.
+ * `what` names the data in messages.  Returns 0 or MESH_EFORMAT. */
+int base64_read(Reader *r, const char *what, const char **p, const char *end, size_t n, char *out);
+
 /* The beginning of a file, to recognise its format: its first n bytes, its first word after
  * comments, and its least and most size in bytes.  Both sizes are n if the whole file is at p. */
 typedef struct MeshStart {
@@ -148,6 +152,8 @@ int vtp_recognise(const MeshStart *m);
 int vtp_read(Reader *r);
 int gifti_recognise(const MeshStart *m);
 int gifti_read(Reader *r);
+int gltf_recognise(const MeshStart *m);
+int gltf_read(Reader *r);
 
 /* Whether a file begins with the n bytes of magic. */
 int start_has(const MeshStart *m, const char *magic, size_t n);

@@ -21,65 +21,16 @@ ends_early(const Source *s)
 	return mesh_fail(s->r->s->err, MESH_EFORMAT, "%s: data end early", s->what);
 }
 
-static int
-sixbits(char c)
-{
-	if (c >= 'A' && c <= 'Z')
-		return c - 'A';
-	if (c >= 'a' && c <= 'z')
-		return c - 'a' + 26;
-	if (c >= '0' && c <= '9')
-		return c - '0' + 52;
-	return c == '+' ? 62 : c == '/' ? 63 : -1;
-}
-
-/* The next four characters of base64, a blank skipped before each, as 24 bits.  Characters that stand for none of
- * the n bytes that are needed may be '='. */
-static int
-group(Source *s, size_t n, uint32_t *w)
-{
-	int k, six;
-
-	for (*w = 0, k = 0; k < 4; k++) {
-		while (s->p < s->end && strchr(" \t\r\n", *s->p) && *s->p)
-			s->p++;
-		if (s->p == s->end)
-			return ends_early(s);
-		six = *s->p == '=' && (size_t)k > n ? 0 : sixbits(*s->p);
-		if (six < 0)
-			return mesh_fail(s->r->s->err, MESH_EFORMAT, "%s: data end early, or byte 0x%02x is no base64", s->what,
-			    (unsigned char)*s->p);
-		*w = *w << 6 | (uint32_t)six;
-		s->p++;
-	}
-	return 0;
-}
-
 /* Copies the next n bytes to out; of base64 a run of its own, with = at its end. */
 static int
 get(Source *s, size_t n, char *out)
 {
-	uint32_t w;
-	size_t k;
-	int e;
-
-	if (!s->base64) {
-		if ((size_t)(s->end - s->p) < n)
-			return ends_early(s);
-		memcpy(out, s->p, n);
-		s->p += n;
-		return 0;
-	}
-	for (; n > 0; n -= k, out += k) {
-		k = n < 3 ? n : 3;
-		if ((e = group(s, k, &w)) != 0)
-			return e;
-		out[0] = (char)(w >> 16);
-		if (k > 1)
-			out[1] = (char)(w >> 8);
-		if (k > 2)
-			out[2] = (char)w;
-	}
+	if (s->base64)
+		return base64_read(s->r, s->what, &s->p, s->end, n, out);
+	if ((size_t)(s->end - s->p) < n)
+		return ends_early(s);
+	memcpy(out, s->p, n);
+	s->p += n;
 	return 0;
 }
 
@@ -127,7 +78,7 @@ zlib_stream(Source *s, char *out, size_t want)
 	int e;
 
 	for (p = s->p; p < s->end; p++)
-		n += sixbits(*p) >= 0;
+		n += *p && !strchr(" \t\r\n=", *p);
 	n = n*3/4;
 	if (!(in = mesh_alloc(s->r->s->err, n, 1)))
 		return MESH_ENOMEM;
