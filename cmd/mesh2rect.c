@@ -152,6 +152,18 @@ choose_corners(const char *corners, const char *like, int reversed, Disk *d, int
 	return -1;
 }
 
+/* Dies as no map was found at vertex v, or at one that was added if v is -1. */
+static void
+too_thin(const Disk *d, int v)
+{
+	const double *x = d->m.xyz + 3*(size_t)(v < 0 ? 0 : v);
+
+	if (v < 0 || d->file[v] < 0)
+		die("triangles too thin to be mapped; mesh2disk takes out those without area");
+	die("triangles too thin to be mapped at vertex %d (%g %g %g); mesh2disk takes out those without area",
+	    d->file[v], x[0], x[1], x[2]);
+}
+
 static void
 map_disk(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options, Conformal *c)
 {
@@ -162,8 +174,7 @@ map_disk(const Disk *d, const int corner[4], Chart g, const ConformalOptions *op
 	case 0: break;
 	case SPD_ENOMEM: die("no memory: the factor of %d vertices needs %.0f bytes", d->m.nv, report.bytes);
 	case SPD_ELARGE: die("%d vertices are more than the solver can number", d->m.nv);
-	default: die("the cotangent matrix is not positive definite at row %d: triangles too thin",
-		report.column);
+	default: too_thin(d, report.column);
 	}
 	if (!(c->grid.g.T > 0 && c->grid.g.T < HUGE_VAL))
 		die("the map has no modulus: triangles too thin");

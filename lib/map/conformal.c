@@ -250,6 +250,17 @@ restore(const Disk *d, const Traversal *t, const double offset[3], Conformal *c)
 	return 0;
 }
 
+/* The vertex of d that has that number in the traversal, -1 if it was added. */
+static int
+given_number(const Traversal *t, int number)
+{
+	int i = t->d.m.nv - 1;
+
+	while (i >= 0 && t->number[i] != number)
+		i--;
+	return i;
+}
+
 /* Points are added on edges; far from the origin, rounding of their coordinates would bend the
  * surface.  So the surface is mapped near the origin.  Ties are broken in favour of lower numbers, and
  * sums are rounded in the order of the numbers.  So the vertices and faces are first renumbered in a
@@ -270,6 +281,8 @@ conformal_grid(const Disk *d, const int corner[4], Chart g, const ConformalOptio
 	e = c->u && c->v ? map_and_sample(&near.d, to, g, options, c, report) : SPD_ENOMEM;
 	if (!e)
 		e = restore(d, &near, offset, c);
+	else if (e == SPD_EINDEFINITE)
+		report->column = given_number(&near, report->column);
 	traversal_free(&near);
 	if (e)
 		conformal_free(c);

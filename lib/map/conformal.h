@@ -32,7 +32,8 @@ typedef struct Conformal {
 
 /* Maps the disk d and samples it on g.nu x g.nv nodes (g.T is not read; nor are g.nu and g.nv
  * if options->keep > 0).  corner: indices into the loop of d.  Returns 0, SPD_ENOMEM,
- * SPD_EINDEFINITE or SPD_ELARGE; on an error c holds nothing to free. */
+ * SPD_EINDEFINITE or SPD_ELARGE; on an error c holds nothing to free.  On SPD_EINDEFINITE
+ * report->column is the vertex of d where the solve failed, -1: at one that was added. */
 int  conformal_grid(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options,
 	Conformal *c, SpdReport *report);
 

@@ -98,6 +98,33 @@ pair(const Topology *t, Side *s, int n, int *nedge, int *odd, int *hi)
 	return 0;
 }
 
+/* The vertex of the face of a side that is not on the side. */
+static int
+apex(const Topology *t, int side)
+{
+	return t->tri[topology_next(topology_next(side))];
+}
+
+/* Fails with the reason why n faces have the edge from lo to hi: two of them have the same vertices, or
+ * not.  The sides of the edge are among those at s, together. */
+static int
+too_many(const Topology *t, const Side *s, int n, int lo, int hi)
+{
+	int i, k;
+
+	while (s->hi != hi)
+		s++;
+	for (i = 0; i < n; i++)
+		for (k = 0; k < i; k++)
+			if (apex(t, s[i].side) == apex(t, s[k].side))
+				return mesh_fail(t->err, MESH_EMANIFOLD, "edge %d-%d belongs to %d faces, two of them on "
+				    "vertices %d %d %d: said twice; mesh2disk drops one", topology_name(t, lo),
+				    topology_name(t, hi), n, topology_name(t, lo), topology_name(t, hi),
+				    topology_name(t, apex(t, s[i].side)));
+	return mesh_fail(t->err, MESH_EMANIFOLD, "edge %d-%d belongs to %d faces; mesh2disk parts them",
+	    topology_name(t, lo), topology_name(t, hi), n);
+}
+
 /* Pairs the sides at all vertices.  Of edges with too many faces, one at the lowest vertex is
  * reported. */
 static int
@@ -115,8 +142,7 @@ pair_all(Topology *t, const int *start, Side *s)
 	if (bad == t->nv)
 		return 0;
 	n = pair(t, s + start[bad], start[bad+1] - start[bad], &nedge, &odd, &hi);
-	return mesh_fail(t->err, MESH_EMANIFOLD, "edge %d-%d belongs to %d faces; mesh2disk parts them",
-	    topology_name(t, bad), topology_name(t, hi), n);
+	return too_many(t, s + start[bad], n, bad, hi);
 }
 
 int
