@@ -508,7 +508,9 @@ real_disks(void **state)
 		    "1566 of 3132 faces were turned to agree with the rest" },
 		{ "formats/bff_cowhead.obj", 15049, 29999, 97, "" },
 		{ "formats/hem_disk.obj", 3813, 7543, 81, "" },
-		{ "formats/doolkit_cusp.ply", 5076, 10050, 100, "3542 unreferenced vertices dropped" }
+		{ "formats/doolkit_cusp.ply", 5076, 10050, 100, "3542 unreferenced vertices dropped" },
+		{ "formats/fsaverage5_flat_left.gii", 9465, 18654, 274, "777 unreferenced vertices dropped" },
+		{ "formats/fsaverage5_flat_left.gii.gz", 9465, 18654, 274, "777 unreferenced vertices dropped" }
 	};
 	char why[MESH_ERRLEN];
 	size_t i;
@@ -539,13 +541,13 @@ real_refusals(void **state)
 		{ "bad/genus2_one_loop.off", MESH_EDISK, "genus 2" },
 		{ "bad/moebius_quads.obj", MESH_EORIENT, "one-sided" },
 		{ "bad/zero_area_bad_index.off", MESH_EINDEX, "face 3131 refers to vertex" },
-		{ "formats/fsaverage5_pial_left.gii.gz", MESH_EFORMAT, "GIFTI" },
-		{ "formats/conte69_32k_lh.gii", MESH_EFORMAT, "GIFTI" },
-		{ "formats/lh.pial", MESH_EFORMAT, "FreeSurfer" },
-		{ "formats/lh.tinysurface.asc", MESH_EFORMAT, "FreeSurfer" },
+		{ "formats/fsaverage5_pial_left.gii.gz", MESH_EDISK, "closed surface" },
+		{ "formats/conte69_32k_lh.gii", MESH_EDISK, "closed surface" },
+		{ "formats/lh.pial", MESH_EDISK, "closed surface" },
+		{ "formats/lh.tinysurface.asc", MESH_EFACE, "has vertex 2 twice" },
 		{ "formats/human_face.mat", MESH_EFORMAT, "MATLAB" },
-		{ "formats/fandisk_hoppe.m", MESH_EFORMAT, "Hoppe" },
-		{ "formats/lapy_cube.vtk", MESH_EFORMAT, "VTK" },
+		{ "formats/fandisk_hoppe.m", MESH_EDISK, "closed surface" },
+		{ "formats/lapy_cube.vtk", MESH_EDISK, "closed surface" },
 		{ "formats/lucy_50k.ply", MESH_EDISK, "closed surface" },
 		{ "formats/brain_tristrips.ply", MESH_EDISK, "14 components" },
 		{ "formats/bunny_zipper.ply", MESH_EDISK, "5 boundary loops" },
@@ -554,10 +556,8 @@ real_refusals(void **state)
 		{ "formats/beetle_binary.off", MESH_EMANIFOLD, "is pinched" },
 		{ "formats/horse_quad.obj", MESH_EDISK, "closed surface" },
 		{ "formats/finch_skull_binary.stl", MESH_EDISK, "closed surface" },
-		{ "formats/fsaverage5_pial_left.gii", MESH_EFORMAT, "GIFTI" },
-		{ "formats/fsaverage5_flat_left.gii", MESH_EFORMAT, "GIFTI" },
-		{ "formats/fsaverage5_flat_left.gii.gz", MESH_EFORMAT, "GIFTI" },
-		{ "formats/lh.tinysurface", MESH_EFORMAT, "FreeSurfer" }
+		{ "formats/fsaverage5_pial_left.gii", MESH_EDISK, "closed surface" },
+		{ "formats/lh.tinysurface", MESH_EFACE, "has vertex 2 twice" }
 	};
 	char why[MESH_ERRLEN];
 	size_t i;
