@@ -258,6 +258,8 @@ main(int argc, char *argv[])
 	loss_report(&out, cmd_name_of(argv[optind]), most_lost, &d, &c);
 	quality_notes(cmd_name_of(argv[optind]), uv, &d, &options, &c);
 	if (uv) {
+		s.facts = facts;
+		facts = NULL;
 		uv_write(uv, &s, &d, c.u, c.v, c.grid.g, (const double *const *)c.grid.phi);
 		soup_free(&s);
 	}

@@ -9,6 +9,7 @@
 #include "../../lib/grid/gridpoint.h"
 #include "../../lib/mesh/channel.h"
 #include "../../lib/mesh/filled.h"
+#include "../../lib/meshfile/facts.h"
 #include "../../lib/meshfile/meshfile.h"
 #include "../shared/chartof.h"
 #include "../shared/load.h"
@@ -38,17 +39,38 @@ gridfile_read_mesh(const char *path, int offsets, int keep_filled, OnMesh *on)
 		note("%s: no offsets, so --detail changes nothing", on->name);
 }
 
+/* The metadata that say in which space and unit the coordinates are, as facts of a mesh file, malloc'd. */
+static char *
+facts_of(const Lhg *g)
+{
+	char *facts = cmd_alloc(FACTS_MOST, 1), key[FACT_KEY], value[FACT_VALUE];
+	const char *line = g->meta;
+	size_t n = 0, k;
+
+	for (*facts = '\0'; line && *line; line += k + (line[k] == '\n')) {
+		k = strcspn(line, "\n");
+		if (!fact_next(line, key, value) || !fact_is(key) || n + strlen(key) + strlen(value) + 3 > FACTS_MOST)
+			continue;
+		n += (size_t)snprintf(facts + n, FACTS_MOST - n, "%s %s\n", key, value);
+	}
+	return facts;
+}
+
 static void
 mesh_of_grid(const CmdInput *in, const Lhg *g, const double *const phi[3], const MeshFormat *format,
 	char **bytes, size_t *n)
 {
+	Soup s = { .facts = NULL };
 	Mesh m;
 	int left = 0, e = mesh_from_grid(&m, g->nu, g->nv, phi[0], phi[1], phi[2]);
 
 	if (!e)
 		e = gridmesh_part(&m, g->nu, g->nv, (format->can & MESHFORMAT_SINGLE) != 0, &left);
-	if (!e)
-		e = meshfile_write_mesh(&m, format, bytes, n);
+	if (!e) {
+		s = (Soup){ .nv = m.nv, .nf = m.nf, .xyz = m.xyz, .idx = m.tri, .facts = facts_of(g) };
+		e = meshfile_write(&s, format, bytes, n);
+		free(s.facts);
+	}
 	if (e == MESH_EVALUE)
 		die("%s: a coordinate is too large for %s", in->name, format->name);
 	if (e)
@@ -171,8 +193,10 @@ moved_mesh(const CmdInput *in, const Lhg *g, const double *const phi[3], const O
 	Soup s;
 
 	place_mesh(in, g, phi, on, &s);
+	s.facts = facts_of(g);
 	if (meshfile_write(&s, format, bytes, n))
 		die("%s: no memory for a mesh of %d vertices", on->name, s.nv);
+	free(s.facts);
 	free(s.xyz);
 	channels_free(&s.channels);
 }

@@ -30,13 +30,45 @@ fact_add(Reader *r, const char *key, Token value)
 	const size_t had = r->s->facts ? strlen(r->s->facts) : 0;
 	const size_t n = strlen(key) + clean(value, v) + 3;
 
-	if (n == strlen(key) + 3)
-		return 0;               /* no value, no fact */
+	if (n == strlen(key) + 3 || had + n > FACTS_MOST)
+		return 0;
 	if (!(p = realloc(r->s->facts, had + n)))
 		return mesh_fail(r->s->err, MESH_ENOMEM, "no memory for the fact %s", key);
 	snprintf(p + had, n, "%s %s\n", key, v);
 	r->s->facts = p;
 	return 0;
+}
+
+int
+fact_is(const char *key)
+{
+	static const char *const known[] = { "space", "c_ras", "unit", "source" };
+	size_t i;
+
+	for (i = 0; i < sizeof known/sizeof *known; i++)
+		if (strcmp(key, known[i]) == 0)
+			return 1;
+	if (strncmp(key, "fs.", 3) != 0 || !key[3] || strlen(key) >= FACT_KEY)
+		return 0;
+	for (key += 3; *key >= 'a' && *key <= 'z'; key++)
+		continue;
+	return *key == '\0';
+}
+
+int
+fact_comment(Reader *r)
+{
+	char key[FACT_KEY];
+	const char *from;
+	Token t;
+
+	if (!scan_word(r, &t) || t.n >= sizeof key)
+		return 0;
+	memcpy(key, t.s, t.n);
+	key[t.n] = '\0';
+	from = r->p;
+	scan_skipline(r);
+	return fact_is(key) ? fact_add(r, key, (Token){ from, (size_t)(r->p - from) }) : 0;
 }
 
 const char *

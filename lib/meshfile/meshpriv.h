@@ -82,8 +82,8 @@ void soup_trim(Reader *r);
 int soup_check_count(Reader *r, const char *what, long long count, size_t room);
 int soup_truncated(Reader *r, const char *what, long long i, long long count);
 
-/* Reads the text of a comment: "lhgrid T 0.91" sets s->T, "lhgrid offset 0 0 .1 .02" is the offset
- * of the next vertex; any other is ignored.  Returns 0, MESH_ENOMEM, MESH_EFORMAT or
+/* Reads the text of a comment: "lhgrid fact space tkras" is a fact; if (u,v) are read, "lhgrid T 0.91" sets
+ * s->T, and "lhgrid offset 0 0 .1 .02" is the offset of the next vertex; any other is ignored.  Returns 0, MESH_ENOMEM, MESH_EFORMAT or
  * MESH_EVALUE. */
 int uv_comment(Reader *r);
 
@@ -107,8 +107,12 @@ int record_int(Reader *r, const char *what, long long i, long long count, long l
 /* Read vertex s->nv of count; its three coordinates, the next words.  Returns 0 or a MESH_E code. */
 int record_vertex(Reader *r, long long count);
 
-/* Appends the fact (facts.h), unless the value is empty.  Returns 0 or MESH_ENOMEM. */
+/* Appends the fact (facts.h), unless the value is empty or FACTS_MOST bytes are full.  Returns 0 or
+ * MESH_ENOMEM. */
 int fact_add(Reader *r, const char *key, Token value);
+
+/* Appends the fact on the rest of the line, after "lhgrid fact" in a comment, if its key is known. */
+int fact_comment(Reader *r);
 
 /* Decodes the next n bytes of base64 text from *p on, a run of its own with = at its end, and advances *p.
  * `what` names the data in messages.  Returns 0 or MESH_EFORMAT. */

@@ -228,7 +228,7 @@ statements(Obj *o)
 			e = face(o);
 		else if (r->read_uv && t.n == 2 && memcmp(t.s, "vt", 2) == 0)
 			e = texture(o);
-		else if (r->read_uv && t.n == 1 && *t.s == '#')
+		else if (t.n == 1 && *t.s == '#')
 			e = uv_comment(r);
 		if (e)
 			return e;

@@ -33,6 +33,8 @@ obj_write(Text *t, const Soup *s)
 	if (!text_room(t))
 		return MESH_ENOMEM;
 	text_modulus(t, s, "# ");
+	if (text_facts(t, s, "# "))
+		return MESH_ENOMEM;
 	e = text_lines(t, s->xyz, s->nv, 3, "v ");
 	if (!e && uv)
 		e = text_lines(t, uv, s->nv, 2, "vt ");

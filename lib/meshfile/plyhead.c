@@ -207,9 +207,9 @@ header_line(Ply *p, Token t)
 		return element(p);
 	if (scan_is(t, "property"))
 		return property(p);
-	if (scan_is(t, "comment") && p->r->read_uv)
+	if (scan_is(t, "comment"))
 		return uv_comment(p->r);
-	if (scan_is(t, "comment") || scan_is(t, "obj_info"))
+	if (scan_is(t, "obj_info"))
 		return 0;
 	return bad(p, "a header keyword", t);
 }

@@ -108,7 +108,7 @@ ply_write(Text *t, const Soup *s)
 		return MESH_ENOMEM;
 	text_words(t, "ply\nformat binary_little_endian 1.0\n");
 	text_modulus(t, s, "comment ");
-	if (remarks(t, s->remarks))
+	if (text_facts(t, s, "comment ") || remarks(t, s->remarks))
 		return MESH_ENOMEM;
 	plyhead(t, s, &has, size);
 	for (i = 0; !e && i < s->nv; i++)

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../mesh/channel.h"
+#include "facts.h"
 #include "writepriv.h"
 
 int
@@ -85,6 +86,20 @@ text_lines(Text *t, const double *x, int nv, int n, const char *before)
 			number(t, x[(size_t)n*i + (size_t)c], c < n - 1 ? ' ' : '\n');
 	}
 	return 0;
+}
+
+int
+text_facts(Text *t, const Soup *s, const char *before)
+{
+	char key[FACT_KEY], value[FACT_VALUE];
+	const char *facts = s->facts;
+
+	while ((facts = fact_next(facts, key, value))) {
+		if (!text_room(t))
+			return MESH_ENOMEM;
+		t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "%slhgrid fact %s %s\n", before, key, value);
+	}
+	return text_room(t) ? 0 : MESH_ENOMEM;
 }
 
 void

@@ -49,6 +49,10 @@ uv_comment(Reader *r)
 
 	if (!scan_word(r, &t) || !scan_is(t, "lhgrid") || !scan_word(r, &t))
 		return 0;
+	if (scan_is(t, "fact"))
+		return fact_comment(r);
+	if (!r->read_uv)
+		return 0;
 	if (scan_is(t, "offset"))
 		return offset(r);
 	if (!scan_is(t, "T"))

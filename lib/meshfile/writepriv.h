@@ -32,6 +32,9 @@ int text_lines(Text *t, const double *x, int nv, int n, const char *before);
  * in the format. */
 void text_modulus(Text *t, const Soup *s, const char *before);
 
+/* Append a comment line "lhgrid fact space tkras" for each of the facts of s.  Returns 0 or MESH_ENOMEM. */
+int text_facts(Text *t, const Soup *s, const char *before);
+
 /* Sets *v to the corners of face f and returns their number.  s->first may be NULL if all faces are
  * triangles. */
 int text_corners(const Soup *s, int f, const int **v);

@@ -67,9 +67,10 @@ samebits(const void *a, const void *b, size_t bytes)
 }
 
 /* Checks that b equals a, after a was written and read again as b.  The (u,v) are compared at the
- * corners of faces only, since OBJ stores none for a vertex that belongs to no face. */
+ * corners of faces only, since OBJ stores none for a vertex that belongs to no face; facts if the format has
+ * comments for them. */
 static void
-same(const Soup *a, const Soup *b)
+same(const Soup *a, const Soup *b, int comments)
 {
 	const double *u = channel_values(&a->channels, MESH_UV), *v = channel_values(&b->channels, MESH_UV);
 	const double *o = channel_values(&a->channels, MESH_OFFSET);
@@ -80,6 +81,7 @@ same(const Soup *a, const Soup *b)
 	fuzz_need(samebits(a->xyz, b->xyz, 3*nv*sizeof(double)), "coordinates do not come back");
 	fuzz_need(samebits(a->first, b->first, (nf + 1)*sizeof(int)), "numbers of corners do not come back");
 	fuzz_need(samebits(a->idx, b->idx, (size_t)a->first[nf]*sizeof(int)), "corners do not come back");
+	fuzz_need(!comments || strcmp(a->facts ? a->facts : "", b->facts ? b->facts : "") == 0, "facts do not come back");
 	fuzz_need(!u == !v && a->T == b->T, "T does not come back");
 	for (i = 0; u && i < (size_t)a->first[nf]; i++)
 		fuzz_need(samebits(u + 2*(size_t)a->idx[i], v + 2*(size_t)a->idx[i], 2*sizeof(double)),
@@ -102,7 +104,7 @@ comesback(const Soup *s, const MeshFormat *format, Parse *parse)
 	fuzz_need(e == 0 || s->nv == 0, "what was written is refused");
 	if (e)
 		return;                 /* some formats need at least one vertex */
-	same(s, &again);
+	same(s, &again, (format->can & MESHFORMAT_UV) != 0);
 	soup_free(&again);
 }
 
