@@ -1,10 +1,10 @@
 /* grid2mesh - a gridded surface as a triangle mesh */
 #include <stdlib.h>
-#include <string.h>
 
 #include "../lib/meshfile/meshformat.h"
 #include "shared/cmd.h"
 #include "shared/formats.h"
+#include "shared/numbered.h"
 #include "grid2mesh/gridfile.h"
 
 static const char text[] =
@@ -41,40 +41,6 @@ static const struct option longopt[] = {
 	CMD_LONGOPT
 };
 
-/* Splits "frame-%03d.off" into the parts before and after the number, and its width.  Returns 0 if
- * the name has no number. */
-static int
-numbered(const char *name, size_t *before, int *width, const char **after)
-{
-	const char *s = strchr(name, '%');
-	char *end;
-
-	if (!s)
-		return 0;
-	*before = s - name;
-	*width = strtol(s + 1, &end, 10);
-	if (*end != 'd' || end - s > 4 || *width < 0 || strchr(end, '%'))
-		misuse("--output=%s: need one %%d or %%03d and no other %%", name);
-	*after = end + 1;
-	return 1;
-}
-
-/* The name of file number i: name with i in place of its "%d", written to out; name itself if it has
- * no "%d". */
-static const char *
-file_name(const char *name, int i, char *out, size_t n)
-{
-	const char *after;
-	size_t before;
-	int width;
-
-	if (!name || !numbered(name, &before, &width, &after))
-		return name;
-	if ((size_t)snprintf(out, n, "%.*s%0*d%s", (int)before, name, width, i, after) >= n)
-		die("%s: name too long", name);
-	return out;
-}
-
 /* Exit 2 if mesh and grid are both stdin, or if the format does not keep the order of vertices. */
 static void
 check_on(const char *on, const char *grid, const MeshFormat *format)
@@ -93,11 +59,11 @@ main(int argc, char *argv[])
 {
 	static char usage[FORMATS_USAGE];
 	char path[4096], list[MESHFORMAT_LIST], *bytes;
-	const char *name, *after, *on = NULL;
+	const char *name, *on = NULL;
 	OnMesh mesh = { 0 };
 	const MeshFormat *format;
-	int many, width, opt, i = 0, offsets = -1, filled = -1;
-	size_t before, n;
+	int many, opt, i = 0, offsets = -1, filled = -1;
+	size_t n;
 	CmdInput in;
 	Lhg g;
 
@@ -114,7 +80,7 @@ main(int argc, char *argv[])
 	name = cmd_output();
 	if (!(format = name ? meshformat_of(name) : meshformat(0)))
 		misuse("--output=%s: need a name that ends in %s", name, meshformat_ends(MESHFORMAT_WRITE, list));
-	many = name && numbered(name, &before, &width, &after);
+	many = numbered(name);
 	if (on)
 		check_on(on, argv[optind], format);
 
@@ -125,7 +91,7 @@ main(int argc, char *argv[])
 		if (on && i == 0)
 			gridfile_read_mesh(on, offsets, filled > 0, &mesh); /* once mesh2rect has written it */
 		gridfile_bytes(&in, &g, &mesh, format, &bytes, &n);
-		cmd_write_bytes(file_name(name, ++i, path, sizeof path), bytes, n);
+		cmd_write_bytes(numbered_name(name, ++i, path, sizeof path), bytes, n);
 		free(bytes);
 		lhg_free(&g);
 	}
