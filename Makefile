@@ -18,7 +18,7 @@
 
 include config.mk
 
-CMD = mesh2disk mesh2rect grid2lh lhfft lhinterp lh2grid grid2mesh lhinfo lhdiff mkmesh
+CMD = mesh2disk mesh2rect grid2lh lhfft lhinterp lh2grid grid2mesh lhinfo lhdiff lh2png mkmesh
 
 BUILD    := build$(if $(SANITIZE),/$(SANITIZE))
 export BUILD

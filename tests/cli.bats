@@ -65,6 +65,7 @@ setup_file() {
 	try 2 'need a name that ends in .off' /dev/null grid2mesh -o "$tmp/x.xyz"
 	try 2 'need one %d'                         /dev/null grid2mesh -o "$tmp/%s.off"
 	try 2 'need one %d'                         /dev/null grid2mesh -o "$tmp/%d%d.off"
+	try 2 'need one %d'                         /dev/null lh2png -o "$tmp/%d%d.png"
 }
 
 @test "control bytes of an option or an operand do not reach the terminal" {
@@ -81,7 +82,7 @@ setup_file() {
 }
 
 @test "operands too many or too few exit 2" {
-	for c in mesh2disk mesh2rect grid2lh lh2grid grid2mesh; do
+	for c in mesh2disk mesh2rect grid2lh lh2grid grid2mesh lh2png; do
 		try 2 'operand two is one too many' /dev/null $c one two
 	done
 	try 2 'operand two is one too many' /dev/null lhfft -K 1 one two
@@ -93,12 +94,12 @@ setup_file() {
 
 @test "a missing file, a directory, empty input and input of another kind exit 1" {
 	local c
-	for c in mesh2disk mesh2rect grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo; do
+	for c in mesh2disk mesh2rect grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo lh2png; do
 		try 1 'nosuch: No such file'             /dev/null $c "$tmp/nosuch"
 		try 1 'Is a directory'                   /dev/null $c "$tmp"
 		try 1 'stdin: empty input'               /dev/null $c
 	done
-	for c in grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo; do
+	for c in grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo lh2png; do
 		try 1 'stdin: input is not an lhg stream .mesh2rect makes one of a mesh.$' "$tmp/cap.off" $c
 	done
 	try 1 'stdin: .*lhg'                             "$tmp/phi" mesh2rect
@@ -293,7 +294,7 @@ setting() {
 		grep -q '^  history ' "$tmp/with"
 		grep -v '^  history ' "$tmp/with" | cmp "$tmp/without"
 	done
-	for c in "grid2mesh $tmp/phi" "lhinfo $tmp/phi" "lhdiff $tmp/phi $tmp/phi" "mkmesh -n 60 cap"; do
+	for c in "grid2mesh $tmp/phi" "lh2png $tmp/phi" "lhinfo $tmp/phi" "lhdiff $tmp/phi $tmp/phi" "mkmesh -n 60 cap"; do
 		cmp <($c) <($c --no-history)
 	done
 }

@@ -25,6 +25,7 @@ damage() {
 @test "lhfft"     { damage cut "$tmp/lh" lhfft -K 1;  damage change "$tmp/lh" lhfft -K 1; }
 @test "lh2grid"   { damage cut "$tmp/lh" lh2grid;     damage change "$tmp/lh" lh2grid; }
 @test "lhinterp"  { damage cut "$tmp/lh" lhinterp -t 0 - "$tmp/lh"; }
+@test "lh2png"    { damage cut "$tmp/lh" lh2png --bare --size=1; damage change "$tmp/lh" lh2png --bare --size=1; }
 @test "lhinfo"    { damage cut "$tmp/lh" lhinfo;      damage change "$tmp/lh" lhinfo; }
 @test "lhdiff"    { damage cut "$tmp/phi" lhdiff "$tmp/phi" -; damage change "$tmp/phi" lhdiff "$tmp/phi" -; }
 @test "mesh2rect" { damage cut "$tmp/cap.ply" mesh2rect -n 4; }

@@ -112,7 +112,7 @@ for c in 'xyz': g[c][:] *= $s"
 	local s c
 	for s in 2,2 3,3 9,2 3,9 4,4,3 6,7,3 7,7; do
 		hostile "$tmp/phi" "$tmp/g" "g = size($s)"
-		for c in lhinfo grid2mesh 'lhfft -K 0' 'lhfft -K 0 --basis=dft' 'lhfft --low-pass=0' \
+		for c in lhinfo grid2mesh 'lh2png -c all' 'lhfft -K 0' 'lhfft -K 0 --basis=dft' 'lhfft --low-pass=0' \
 		    "lhfft --keep=1 --no-log-lambda --spectrum=$tmp/table" "lhinterp -n 3 $tmp/g"; do
 			try 0 '' /dev/null soon $c "$tmp/g"
 		done

@@ -39,6 +39,7 @@ same() {
 @test "lhinterp"  { same lhinterp -n 3 lh lh; }
 @test "lh2grid"   { same lh2grid lh; same lh2grid --no-start --ideal small.lh; same lh2grid --method=frame small.lh; }
 @test "grid2mesh" { same grid2mesh phi; same grid2mesh --on uv.ply phi; }
+@test "lh2png"    { same lh2png -v phi; same lh2png -c all lh; }
 @test "lhinfo"    { same lhinfo phi lh; same lhinfo --json lh; }
 @test "lhdiff"    { same lhdiff --no-self-intersections phi face.off; same lhdiff --json phi phi; }
 

@@ -20,7 +20,7 @@ load helper
 	[ "$(wc -l <"$work/steps.sh")" -ge 25 ]
 	cd "$work"
 	PYTHONDONTWRITEBYTECODE=1 sh steps.sh >out 2>err || { tail -n 5 err; false; }
-	for made in face.png map.png lambda.png H.png morph.png figure.png smooth.obj scale-4.off smooth/other.off figure.txt; do
+	for made in face.png map.png lambda.png H.png fields.png all.png morph.png figure.png smooth.obj scale-4.off smooth/other.off figure.txt; do
 		[ -s $made ] || { echo "not made: $made"; false; }
 	done
 	# The error of step 5 is below the bound that it names, 2 %.
