@@ -285,6 +285,54 @@ far_surface_has_the_same_map(void **state)
 	disk_free(&d);
 }
 
+/* The square of spike(), not drawn out, with one more vertex, 1e-10 away from vertex 6. */
+static void
+near_duplicate(Disk *d)
+{
+	double xyz[3*26], *x = &xyz[3*25];
+	int tri[3*34], k, f;
+	Disk s;
+
+	spike(&s);
+	memcpy(xyz, s.m.xyz, 3*25*sizeof *xyz);
+	xyz[3*12] -= 20, xyz[3*12+1] -= 6, xyz[3*12+2] = 0;
+	memcpy(tri, s.m.tri, 3*32*sizeof *tri);
+	for (f = 0; f < 32 && !(tri[3*f] == 6 && tri[3*f+1] == 7); f++)
+		;
+	assert_true(f < 32);
+	for (k = 0; k < 3; k++)
+		x[k] = xyz[3*6+k] + 1e-10*(xyz[3*7+k] + xyz[3*tri[3*f+2]+k] - 2*xyz[3*6+k]);
+	memcpy(&tri[3*32], (int[]){ 25, 7, tri[3*f+2], 6, 25, tri[3*f+2] }, 6*sizeof *tri);
+	tri[3*f+2] = 25;
+	assert_int_equal(disks_of(26, xyz, 34, tri, d), 0);
+	disk_free(&s);
+}
+
+/* Edges between near vertices have weights of 1e9, beside which the others lose digits; u is still 1
+ * minus the u of the map with opposite corners exchanged. */
+static void
+large_weights_do_not_spoil_the_map(void **state)
+{
+	const AdaptOptions o = { 1, 0, 1000 };
+	SpdReport report;
+	IntrinsicMap a, b;
+	int i, steep = 0;
+	Disk d;
+
+	(void)state;
+	near_duplicate(&d);
+	assert_int_equal(intrinsic_map(&d, (int[]){ 0, 4, 24, 20 }, &o, &a, &report), 0);
+	assert_int_equal(intrinsic_map(&d, (int[]){ 24, 20, 0, 4 }, &o, &b, &report), 0);
+	for (i = 0; i < 3*a.s.t.nf; i++)
+		steep += intrinsic_cotangent(&a.s.t, i) > 1e8;
+	assert_true(steep > 0);
+	for (i = 0; i < d.m.nv; i++)
+		assert_true(fabs(a.u[i] + b.u[i] - 1) < 1e-10 && fabs(a.v[i] + b.v[i] - a.T) < 1e-10);
+	intrinsic_map_free(&a);
+	intrinsic_map_free(&b);
+	disk_free(&d);
+}
+
 /* A similarity: x is rotated about (1,2,2)/3 by `angle`, multiplied by scale and translated by
  * offset. */
 typedef struct Motion {
@@ -409,6 +457,7 @@ main(void)
 		cmocka_unit_test(random_disks_are_mapped),
 		cmocka_unit_test(spike_is_split_in_one_way),
 		cmocka_unit_test(far_surface_has_the_same_map),
+		cmocka_unit_test(large_weights_do_not_spoil_the_map),
 		cmocka_unit_test(same_disk_has_the_same_grid),
 	};
 

@@ -5,6 +5,9 @@
 
 #include "harmonic.h"
 
+static const double STEEP = 1e6;        /* weights are about 1 where triangles are well shaped; in a
+                                         * diagonal this large they have ten digits left */
+
 void
 harmonic_sides(const Disk *d, const int corner[4], unsigned char *side)
 {
@@ -43,6 +46,47 @@ right_hand_side(const Harmonic *h, const unsigned char *held, double *x)
 				x[g->adj[k]] -= h->off[k]*x[i];
 }
 
+/* Whether some row has entries so large that others lose digits in its diagonal. */
+static int
+is_steep(const Harmonic *h)
+{
+	int i;
+
+	for (i = 0; i < h->g->n && h->diagonal[i] < STEEP; i++)
+		;
+	return i < h->g->n;
+}
+
+/* r = -A x at the free vertices, 0 at the held ones.  As rows sum to 0, differences of x will do; the
+ * diagonal and its rounding errors are not needed. */
+static void
+residual(const Harmonic *h, const unsigned char *held, const double *x, double *r)
+{
+	const Graph *g = h->g;
+	int i, k;
+
+	for (i = 0; i < g->n; i++)
+		for (r[i] = 0, k = g->first[i]; !held[i] && k < g->first[i+1]; k++)
+			r[i] -= h->off[k]*(x[g->adj[k]] - x[i]);
+}
+
+/* One step of iterative refinement: adds to x the solution of A d = r. */
+static int
+refine(Harmonic *h, const CholMatrix *a, double *x, int *at)
+{
+	int i, e, n = h->g->n;
+	double *d = malloc(n*sizeof *d);
+
+	if (!d)
+		return CHOL_ENOMEM;
+	residual(h, a->held, x, d);
+	e = chol_solve(&h->chol, a, d, at);
+	for (i = 0; !e && i < n; i++)
+		x[i] += d[i];
+	free(d);
+	return e;
+}
+
 /* Solves for x, which is 0 on the sides `zero` and 1 on the sides `one` (bits). */
 static int
 solve(Harmonic *h, int zero, int one, double *x, SpdReport *report)
@@ -59,6 +103,8 @@ solve(Harmonic *h, int zero, int one, double *x, SpdReport *report)
 	}
 	right_hand_side(h, held, x);
 	e = chol_solve(&h->chol, &a, x, &report->column);
+	if (!e && is_steep(h))
+		e = refine(h, &a, x, &report->column);
 	for (i = 0; !e && i < n; i++)
 		if (!isfinite(x[i])) {
 			report->column = i;
