@@ -13,6 +13,7 @@ static const char text[] =
 "row, and two triangles for each cell, split along its shorter diagonal.  Normals point along\n"
 "x_u cross x_v.  Every face has area: where a cell is flat it is split along the other diagonal,\n"
 "or its nodes are moved by a thousandth of a cell, for STL by what a float can tell apart.\n"
+"In PLY and OBJ, comments hold the metadata space, c_ras, unit and source, if GRID has them.\n"
 "      --on=MESH      write MESH instead, with each vertex moved to its (u,v) on the grid\n"
 "                     (bicubic interpolation), and by its offset from there if MESH has\n"
 "                     offsets; faces and the order of vertices are kept.\n"
