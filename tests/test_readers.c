@@ -1,6 +1,5 @@
-/* test_readers.c - the readers of XYZ, MNI OBJ, Hoppe M, FreeSurfer, VTK, VTP and GIFTI: what they read, the facts that they keep,
- * what they refuse.  Every file is also cut at every byte: it is refused, or read as a smaller mesh only where
- * the format has no counts. */
+/* test_readers.c - the readers of XYZ, MNI OBJ, Hoppe M, FreeSurfer, VTK, VTP and GIFTI: what they read, the facts
+ * that they keep, what they refuse.  Files of formats with counts are also cut at every byte, and then refused. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

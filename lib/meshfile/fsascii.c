@@ -61,7 +61,8 @@ fsascii_read(Reader *r)
 	if (scan_token(r, &t))
 		return mesh_fail(r->s->err, MESH_EFORMAT, "line %ld: '%s' is not expected after the last face", r->line,
 		    scan_show(t, show));
-	if ((e = fact_add(r, "source", (Token){ "FreeSurfer", 10 })) != 0 || (e = fact_add(r, "unit", (Token){ "mm", 2 })) != 0)
+	if ((e = fact_add(r, "source", (Token){ "FreeSurfer", 10 })) != 0 ||
+	    (e = fact_add(r, "unit", (Token){ "mm", 2 })) != 0)
 		return e;
 	return fact_add(r, "space", (Token){ "tkras", 5 });
 }

@@ -120,7 +120,8 @@ fsbinary_read(Reader *r)
 		if ((e = soup_face(r)) != 0)
 			return e;
 	}
-	if ((e = fact_add(r, "source", (Token){ "FreeSurfer", 10 })) != 0 || (e = fact_add(r, "unit", (Token){ "mm", 2 })) != 0)
+	if ((e = fact_add(r, "source", (Token){ "FreeSurfer", 10 })) != 0 ||
+	    (e = fact_add(r, "unit", (Token){ "mm", 2 })) != 0)
 		return e;
 	return tags(r);
 }

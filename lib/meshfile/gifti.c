@@ -190,7 +190,8 @@ facts(Gifti *g)
 	size_t k, n = 0;
 	int c, e;
 
-	if ((e = fact_add(g->r, "source", (Token){ "GIFTI", 5 })) != 0 || (e = fact_add(g->r, "unit", (Token){ "mm", 2 })) != 0 ||
+	if ((e = fact_add(g->r, "source", (Token){ "GIFTI", 5 })) != 0 ||
+	    (e = fact_add(g->r, "unit", (Token){ "mm", 2 })) != 0 ||
 	    (e = fact_add(g->r, "space", g->space)) != 0)
 		return e;
 	if (!g->centre[0].n || !g->centre[1].n || !g->centre[2].n)

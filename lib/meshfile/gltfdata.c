@@ -54,7 +54,8 @@ buffer(Gltf *g, long long i, GltfBuffer **out)
 	if (uri.n > 0)
 		return embedded(g, b, i, uri, n);
 	if (i > 0 || !g->bin || (size_t)n > g->nbin)
-		return mesh_fail(g->r->s->err, MESH_EFORMAT, "buffer %lld announces %lld bytes, the binary chunk has %zu", i, n, g->nbin);
+		return mesh_fail(g->r->s->err, MESH_EFORMAT, "buffer %lld announces %lld bytes, the binary chunk has %zu", i, n,
+		    g->nbin);
 	b->p = g->bin;
 	return 0;
 }
@@ -106,10 +107,12 @@ gltf_accessor(Gltf *g, long long i, int n, GltfArray *a)
 	length = json_int(j, json_get(j, w, "byteLength"), -1);
 	stride = json_int(j, json_get(j, w, "byteStride"), n*a->size);
 	if (begin < 0 || length < 0 || begin > (long long)b->n || length > (long long)b->n - begin)
-		return mesh_fail(g->r->s->err, MESH_EFORMAT, "the bufferView of accessor %lld is beyond the %zu bytes of its buffer", i, b->n);
+		return mesh_fail(g->r->s->err, MESH_EFORMAT, "the bufferView of accessor %lld is beyond the %zu bytes of its "
+		    "buffer", i, b->n);
 	if (count < 0 || at < 0 || stride < n*a->size || stride > 255 || at > length ||
 	    (count > 0 && (length - at < n*a->size || (length - at - n*a->size)/stride < count - 1)))
-		return mesh_fail(g->r->s->err, MESH_EFORMAT, "accessor %lld announces %lld items, which are beyond its bufferView", i, count);
+		return mesh_fail(g->r->s->err, MESH_EFORMAT, "accessor %lld announces %lld items, which are beyond its bufferView", i,
+		    count);
 	a->p = b->p + begin + at;
 	a->stride = (size_t)stride;
 	a->count = (size_t)count;

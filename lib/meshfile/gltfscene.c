@@ -214,8 +214,8 @@ too_much(Gltf *g)
 {
 	if (++g->visits <= g->size && g->nv <= g->size && g->ni <= g->size && 24*g->nv + 4*(g->nf + g->ni) <= 8*g->size)
 		return 0;
-	return mesh_fail(g->r->s->err, MESH_EFORMAT, "meshes used many times: more than %zu vertices or %zu triangles in a file of "
-	    "%zu bytes", g->size/3, g->size/2, g->size);
+	return mesh_fail(g->r->s->err, MESH_EFORMAT, "meshes used many times: more than %zu vertices or %zu triangles "
+	    "in a file of %zu bytes", g->size/3, g->size/2, g->size);
 }
 
 static int

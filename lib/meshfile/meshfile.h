@@ -13,8 +13,8 @@
 /* Parses a mesh file of n bytes (no final NUL is needed).
  *
  * OFF  ASCII (also COFF, NOFF, STOFF..: the extra numbers are skipped; records and counts may be
- *      broken over lines; the first count may follow OFF without a blank; "off"; # comments) and OFF BINARY (big-endian as
- *      Geomview writes it, little-endian as pmp does)
+ *      broken over lines; the first count may follow OFF without a blank; "off"; # comments) and OFF
+ *      BINARY (big-endian as Geomview writes it, little-endian as pmp does)
  * OBJ  v and f lines; f a, a/b, a//c, a/b/c; negative indices; the rest is skipped
  * PLY  ascii, binary_little_endian, binary_big_endian; any properties and extra
  *      elements; faces as vertex_indices or vertex_index lists, or tristrips

@@ -86,7 +86,8 @@ cells(Vtk *v, Kind kind, const char *what)
 	int e;
 
 	if ((e = vtk_count(v, "a number of cells", &n)) != 0 || (e = vtk_count(v, "a number of values", &size)) != 0 ||
-	    (e = vtk_data(v, "values of cells", size, &INT)) != 0 || (e = soup_check_count(v->r, what, n, (size_t)size)) != 0 ||
+	    (e = vtk_data(v, "values of cells", size, &INT)) != 0 ||
+	    (e = soup_check_count(v->r, what, n, (size_t)size)) != 0 ||
 	    (e = reserve(v, kind, n, size - n)) != 0)
 		return e;
 	for (c = 0; c < n; c++) {

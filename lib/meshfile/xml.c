@@ -125,8 +125,8 @@ xml_count(Xml *x, const char **attr, const char *name, long long *n)
 
 	if (scan_int(t, n) && *n >= 0)
 		return 0;
-	return mesh_fail(x->r->s->err, MESH_EFORMAT, "line %lu: %s=\"%s\" is not a number", XML_GetCurrentLineNumber(x->parser),
-	    name, scan_show(t, show));
+	return mesh_fail(x->r->s->err, MESH_EFORMAT, "line %lu: %s=\"%s\" is not a number",
+	    XML_GetCurrentLineNumber(x->parser), name, scan_show(t, show));
 }
 
 static int
