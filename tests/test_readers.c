@@ -172,6 +172,7 @@ vtk_ascii(void **state)
 	    "VECTORS b double 1 2 3 4 5 6 7 8 9 10 11 12\nCELL_DATA 1\nFIELD f 2\nc 1 1 int\n7\nd 2 1 float\n1 2\n", 4, "0 1 3 2");
 	refuses(VTK("3.0", "ASCII") FOUR "POLYGONS 1 5 4 0 1 3\n", MESH_EFORMAT, "file ends in face 0 of 1");
 	refuses(VTK("3.0", "ASCII") FOUR "POLYGONS 1 4 4 0 1 3 2\n", MESH_EFORMAT, "need 0 to 3");
+	refuses(VTK("3.0", "ASCII") FOUR "POLYGONS 1 5 3 0 1 2\n7", MESH_EFORMAT, "face: 5 values announced, 4 used");
 	refuses(VTK("3.0", "ASCII") FOUR "POLYGONS 1 4 3 0 1 4\n", MESH_EINDEX, "face 0 refers to vertex 4, there are 4");
 	refuses(VTK("3.0", "ASCII") FOUR "POLYGONS 1 4 3 0 1 -4\n", MESH_EINDEX, "face 0 refers to vertex -4");
 	refuses(VTK("3.0", "ASCII") "POINTS 2000000000 float\n", MESH_EFORMAT, "header announces 2000000000 points");
@@ -194,12 +195,16 @@ vtk_binary(void **state)
 	    FS_ONE FS_ZERO "\nPOLYGONS 2 3\nOFFSETS vtktypeint64\n" FS_ZERO FS_ZERO FS_ZERO "\0\0\0\3\nCONNECTIVITY vtktypeint32\n"
 	    "\0\0\0\0\0\0\0\1\0\0\0\2";
 
+	static const char below[] = VTK("3.0", "BINARY") "POINTS 1 float\n" FS_ZERO FS_ZERO FS_ZERO "\nPOLYGONS 1 2\n"
+	    "\0\0\0\1\xff\xff\xff\xfe";
+
 	(void)state;
 	reads_bytes(old, sizeof old - 1, 3, "0 1 2");
 	coordinate(old, sizeof old - 1, 3, 1);
 	reads_bytes(new, sizeof new - 1, 3, "0 1 2");
 	cut(old, sizeof old - 1, sizeof old - 25);
 	cut(new, sizeof new - 1, sizeof new - 70);
+	refuses_bytes(below, sizeof below - 1, MESH_EINDEX, "face 0 refers to vertex -2");
 }
 
 /* ---- GIFTI ---- */
@@ -225,6 +230,8 @@ gifti_rules(void **state)
 	static const char column[] = GIFTI("3") "<DataArray Intent=\"NIFTI_INTENT_SHAPE\"><Data>x</Data></DataArray>"
 	    GII("TRIANGLE", "INT32", "ColumnMajorOrder", "2", "ASCII", "BigEndian", "<Data>0 2 1 1 2 3</Data>")
 	    GII_POINTS("ASCII", P_ASCII) "</GIFTI>";
+	static const char points[] = GIFTI("2") GII("POINTSET", "FLOAT32", "ColumnMajorOrder", "4", "ASCII", "LittleEndian",
+	    "<Data>0 1 0 1  0 0 1 1  0 0 0 .5</Data>") GII_FACES("ASCII", F_ASCII) "</GIFTI>";
 
 	(void)state;
 	reads(GIFTI("2") GII_POINTS("ASCII", P_ASCII) GII_FACES("ASCII", F_ASCII) "</GIFTI>", 4, "0 1 2/2 1 3");
@@ -235,6 +242,9 @@ gifti_rules(void **state)
 	coordinate(column, sizeof column - 1, 11, 0.5);
 	cut(file, sizeof file - 2, 0);
 	has_facts(file, sizeof file - 1, "source GIFTI\nunit mm\n");
+	reads(points, 4, "0 1 2/2 1 3");
+	coordinate(points, sizeof points - 1, 10, 1);
+	coordinate(points, sizeof points - 1, 11, 0.5);
 }
 
 #define SPACE "<MetaData><MD><Name><![CDATA[VolGeomC_R]]></Name><Value><![CDATA[5.5]]></Value></MD><MD><Name>VolGeomC_A</Name>" \
@@ -277,6 +287,8 @@ gifti_refused(void **state)
 	refuses(GIFTI("2") GII_POINTS("ASCII", P_ASCII) GII_POINTS("ASCII", P_ASCII), MESH_EFORMAT, "more than one array of points");
 	refuses(GIFTI("2") GII_POINTS("ASCII", P_ASCII) GII_FACES("ASCII", "0 1 2 2 1 4") "</GIFTI>", MESH_EINDEX,
 	    "face 1 refers to vertex 4, there are 4");
+	refuses(GIFTI("2") GII_POINTS("ASCII", P_ASCII) GII_FACES("Base64Binary", "AAAAAAEAAAACAAAAAgAAAAEAAAD/////") "</GIFTI>",
+	    MESH_EINDEX, "face 1 refers to vertex -1, there are 4");
 	refuses(GIFTI("2") GII_POINTS("ASCII", P_ASCII) GII_FACES("ASCII", "0 1 2 2 1 2.5") "</GIFTI>", MESH_EFORMAT,
 	    "face 1 has a corner 2.5");
 	refuses("<?xml version=\"1.0\"?><!DOCTYPE GIFTI [<!ENTITY a \"b\">]><GIFTI>", MESH_EFORMAT, "XML entities are not read");
@@ -304,6 +316,12 @@ vtp_rules(void **state)
 	    "AgAAAAAAAAAYAAAAAAAAAAAAAAAAAAAADwAAAAAAAAATAAAAAAAAAA==eJxjYEAGDfYwFgAHTwDAeJxjYACBBnsGOA1m2wMAGPgCfQ==",
 	    "AgAAAAAAAAAMAAAAAAAAAAAAAAAAAAAAEQAAAAAAAAARAAAAAAAAAA==eJxjYGBgYARiJiAGAAAcAAR4nGNiYGBgBGJmIAYAADgABw==",
 	    "AQAAAAAAAAAIAAAAAAAAAAAAAAAAAAAADgAAAAAAAAA=eJxjZmBgYANiAAA4AAo=") VTP_END;
+	/* Points in two blocks, of 40 and 8 bytes. */
+	static const char uneven[] = VTP("header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\"") VTP_PIECE(B,
+	    "AgAAAAAAAAAoAAAAAAAAAAgAAAAAAAAAEgAAAAAAAAAQAAAAAAAAAA=="
+	    "eJxjYEAGDfYMWPkN9gAbxQI+eJxjYGiwZ2BgsAcABIIA/w==",
+	    "AgAAAAAAAAAMAAAAAAAAAAAAAAAAAAAAEQAAAAAAAAARAAAAAAAAAA==eJxjYGBgYARiJiAGAAAcAAR4nGNiYGBgBGJmIAYAADgABw==",
+	    "AQAAAAAAAAAIAAAAAAAAAAAAAAAAAAAADgAAAAAAAAA=eJxjZmBgYANiAAA4AAo=") VTP_END;
 	static const char ascii[] = VTP("") VTP_PIECE(A, P_ASCII, F_ASCII, "3 6") VTP_END;
 
 	(void)state;
@@ -311,6 +329,8 @@ vtp_rules(void **state)
 	reads(plain, 4, "0 1 2/2 1 3");
 	reads(packed, 4, "0 1 2/2 1 3");
 	coordinate(packed, sizeof packed - 1, 11, 0.5);
+	reads(uneven, 4, "0 1 2/2 1 3");
+	coordinate(uneven, sizeof uneven - 1, 11, 0.5);
 	cut(ascii, sizeof ascii - 2, 0);
 	cut(packed, sizeof packed - 2, 0);
 	reads(VTP("") VTP_PIECE(A, P_ASCII, F_ASCII, "3 6") VTP_PIECE(A, P_ASCII "<InformationKey name=\"a\">0</InformationKey>",
@@ -369,6 +389,29 @@ facts_line_by_line(void **state)
 	assert_null(fact_next(NULL, key, value));
 }
 
+/* Comments of OBJ and PLY hold facts of known keys, up to a size. */
+static void
+facts_in_comments(void **state)
+{
+	static const char obj[] = "# lhgrid fact space  tkras \n#lhgrid fact unit m\n# lhgrid fact nv 7\n# lhgrid fact fs.x\nv 0 0 0\n";
+	static const char ply[] = "ply\nformat ascii 1.0\ncomment lhgrid fact c_ras 1 2\t3\ncomment lhgrid fact fs.A 3\n"
+	    "element vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n";
+	static char many[20000];
+	size_t n = 0;
+	Soup s;
+	int i;
+
+	(void)state;
+	has_facts(obj, sizeof obj - 1, "space tkras\n");
+	has_facts(ply, sizeof ply - 1, "c_ras 1 2 3\n");
+	for (i = 0; i < 500; i++)
+		n += (size_t)sprintf(many + n, "# lhgrid fact fs.key %08d\n", i);
+	n += (size_t)sprintf(many + n, "v 0 0 0\n");
+	assert_int_equal(parse(&s, many, n), 0);
+	assert_true(strlen(s.facts) > FACTS_MOST - 100 && strlen(s.facts) < FACTS_MOST);
+	soup_free(&s);
+}
+
 int
 main(void)
 {
@@ -378,7 +421,7 @@ main(void)
 		cmocka_unit_test(vtk_ascii), cmocka_unit_test(vtk_binary),
 		cmocka_unit_test(gifti_rules), cmocka_unit_test(gifti_space), cmocka_unit_test(gifti_refused),
 		cmocka_unit_test(vtp_rules), cmocka_unit_test(vtp_appended),
-		cmocka_unit_test(facts_line_by_line)
+		cmocka_unit_test(facts_line_by_line), cmocka_unit_test(facts_in_comments)
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
