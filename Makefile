@@ -7,7 +7,9 @@
 #   make test T=misfit        one unit test; T=pipes.bats one file of command tests
 #   make SANITIZE=address,undefined check      every test under sanitizers, in
 #                             build/address,undefined
-#   make install PREFIX=/usr/local DESTDIR=
+#   make install PREFIX=/usr/local DESTDIR=   programs, pages, library, readers (install.mk);
+#                             make installcheck then tries them, make uninstall removes them
+#   make dist                 the last commit as a tarball, build/lhgrid-VERSION.tar.gz
 #   make bench                measures the numbers that README.md promises (minutes)
 #   make compile_commands.json    for editors
 #   make check-untracked      fails if a test left a file, or if a stray file is tracked
@@ -212,19 +214,14 @@ paper: all
 	scripts/deps --paper
 	PATH="$(CURDIR)/$(BUILD)/bin:$$PATH" scripts/paper $(BUILD)/paper
 
-install: all
-	mkdir -p $(DESTDIR)$(PREFIX)/bin
-	install -m 755 $(BIN) $(DESTDIR)$(PREFIX)/bin
-
-uninstall:
-	rm -f $(CMD:%=$(DESTDIR)$(PREFIX)/bin/%)
+include install.mk
 
 clean:
 	rm -rf build
 
 compile_commands.json: FORCE
 
-.PHONY: FORCE $(CHECKS) all tests demo check quick test check-untracked soak fuzz fuzztargets coverage bench paper install uninstall clean
+.PHONY: FORCE $(CHECKS) all tests demo check quick test check-untracked soak fuzz fuzztargets coverage bench paper clean
 .SECONDARY: $(OBJ)
 
 -include $(OBJ:.o=.d)

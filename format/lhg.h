@@ -16,6 +16,10 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 enum {
 	LHG_EIO    = -1,        /* read or write failed; errno says why */
 	LHG_ENOMEM = -2,
@@ -151,5 +155,9 @@ int lhg_write(LhgStream *s, const Lhg *g);
  * If the writer fails, or is killed, before that grid is complete, readers then see that the stream
  * is not complete.  Returns 0 or LHG_EIO. */
 int lhg_begin_next(LhgStream *s);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

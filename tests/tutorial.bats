@@ -2,9 +2,11 @@
 
 load helper
 
-@test "every command of the tutorial runs" {
-	local top=$PWD work=$tmp/tutorial
+@test "every command of the tutorial runs, from an installation" {
+	local work=$tmp/tutorial root=$tmp/root/usr
 	mkdir -p "$work"
+	(unset MAKEFLAGS MFLAGS MAKELEVEL; make -s BUILD="$BUILD" DESTDIR="$tmp/root" PREFIX=/usr install)
+	PATH=$root/bin:${PATH#*:}               # the installed programs, not those of the source folder
 	if [ -d "$meshes/good" ]; then
 		cp "$meshes/good/face_man_scan_6k.off" "$work/face.off"
 		cp "$meshes/good/face_nefertiti_4.6k.off" "$work/other.off"
@@ -14,7 +16,7 @@ load helper
 	fi
 	sed -n '/^```make$/,/^```$/{/^```/d;p}' doc/tutorial.md >"$work/Makefile"
 	{
-		echo "set -e; lhgrid='$top'"
+		echo "set -e; lhgrid='$root/share/lhgrid'"
 		sed -n '/^```sh$/,/^```$/{/^```/d;/^lhgrid=/d;/^PATH=/d;p}' doc/tutorial.md
 	} >"$work/steps.sh"
 	[ "$(wc -l <"$work/steps.sh")" -ge 25 ]

@@ -1,0 +1,87 @@
+# install.mk - included by Makefile: manual pages, the library of the format, installation, and the
+# tarball of a release.
+
+VERSION  := $(shell sed -n 's/^.define CMD_VERSION "\(.*\)"/\1/p' cmd/shared/private.h)
+ROOT      = $(DESTDIR)$(PREFIX)
+LIBDIR    = lib
+
+# ---- manual pages: man1 from --help and man/NAME.mdoc, the others by hand ----
+
+MAN1     := $(CMD:%=$(BUILD)/man/%.1)
+
+man: $(MAN1)
+
+$(MAN1): $(BUILD)/man/%.1: $(BUILD)/bin/% man/%.mdoc man/lhgrid.7 scripts/manpage
+	@mkdir -p $(@D)
+	scripts/manpage cmd/$*.c $< man/$*.mdoc >$@.new
+	mv $@.new $@
+
+# ---- liblhg: format/ alone, needs only zlib ----
+
+LHGOBJ   := $(patsubst %.c,$(BUILD)/pic/%.o,$(wildcard format/*.c))
+LHGSO    := liblhg.so.1
+LHGLIB   := $(BUILD)/liblhg.a $(BUILD)/$(LHGSO) $(BUILD)/lhg.pc
+
+liblhg: $(LHGLIB)
+
+$(LHGOBJ): $(BUILD)/pic/%.o: %.c config.mk
+	@mkdir -p $(@D)
+	$(CC) $(ALL_CPPFLAGS) -std=c11 $(WARN) $(CFLAGS) -fPIC -c -o $@ $<
+
+$(BUILD)/liblhg.a: $(LHGOBJ)
+	rm -f $@
+	$(AR) rcs $@ $^
+
+$(BUILD)/$(LHGSO): $(LHGOBJ) format/lhg.map
+	$(CC) -shared -Wl,-soname,$(LHGSO) -Wl,--version-script=format/lhg.map -Wl,-z,defs $(LDFLAGS) -o $@ $(LHGOBJ) -lz
+
+$(BUILD)/lhg.pc: format/lhg.pc.in Makefile install.mk config.mk FORCE
+	@mkdir -p $(@D)
+	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@VERSION@|$(VERSION)|' $< >$@
+
+-include $(LHGOBJ:.o=.d)
+
+# ---- install ----
+
+SHARE    := scripts/lhg.py scripts/render.py scripts/raster.py
+DOC      := README.md CHANGELOG.md LICENSE doc/tutorial.md doc/mathematics.md format/LHG.md
+EXAMPLES := examples/smooth.sh examples/morph.sh examples/lhgends.c
+BASHDIR  := share/bash-completion/completions
+
+install: all man liblhg
+	mkdir -p $(addprefix $(ROOT)/,bin include $(LIBDIR)/pkgconfig share/lhgrid share/doc/lhgrid/examples \
+	    share/man/man1 share/man/man5 share/man/man7 $(BASHDIR) share/zsh/site-functions)
+	install -m 755 $(BIN) $(ROOT)/bin
+	install -m 644 format/lhg.h $(ROOT)/include
+	install -m 644 $(BUILD)/liblhg.a $(ROOT)/$(LIBDIR)
+	install -m 755 $(BUILD)/$(LHGSO) $(ROOT)/$(LIBDIR)
+	ln -sf $(LHGSO) $(ROOT)/$(LIBDIR)/liblhg.so
+	install -m 644 $(BUILD)/lhg.pc $(ROOT)/$(LIBDIR)/pkgconfig
+	install -m 644 $(SHARE) $(ROOT)/share/lhgrid
+	chmod 755 $(ROOT)/share/lhgrid/render.py
+	install -m 644 $(DOC) $(ROOT)/share/doc/lhgrid
+	install -m 644 format/LICENSE $(ROOT)/share/doc/lhgrid/LICENSE.MIT
+	install -m 644 $(EXAMPLES) $(ROOT)/share/doc/lhgrid/examples
+	install -m 644 $(MAN1) $(ROOT)/share/man/man1
+	install -m 644 man/lhg.5 $(ROOT)/share/man/man5
+	install -m 644 man/lhgrid.7 $(ROOT)/share/man/man7
+	sed 's/@COMMANDS@/$(CMD)/' completion/lhgrid.bash >$(ROOT)/$(BASHDIR)/lhgrid
+	for c in $(CMD); do ln -sf lhgrid $(ROOT)/$(BASHDIR)/$$c; done
+	sed 's/@COMMANDS@/$(CMD)/' completion/_lhgrid >$(ROOT)/share/zsh/site-functions/_lhgrid
+
+uninstall:
+	rm -f $(addprefix $(ROOT)/,$(CMD:%=bin/%) $(CMD:%=share/man/man1/%.1) $(CMD:%=$(BASHDIR)/%) \
+	    $(BASHDIR)/lhgrid share/zsh/site-functions/_lhgrid share/man/man5/lhg.5 share/man/man7/lhgrid.7 \
+	    include/lhg.h $(addprefix $(LIBDIR)/,liblhg.a liblhg.so $(LHGSO) pkgconfig/lhg.pc))
+	rm -rf $(ROOT)/share/lhgrid $(ROOT)/share/doc/lhgrid
+
+# Uses what is installed, in an empty folder.
+installcheck:
+	scripts/installcheck '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' $(CMD)
+
+# The last commit as a tarball, which builds without git.  Equal commits give equal tarballs.
+dist:
+	@mkdir -p $(BUILD)
+	git archive --prefix=lhgrid-$(VERSION)/ HEAD | gzip -9n >$(BUILD)/lhgrid-$(VERSION).tar.gz
+
+.PHONY: man liblhg install uninstall installcheck dist
