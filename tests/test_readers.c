@@ -282,6 +282,8 @@ gifti_refused(void **state)
 	refuses(GIFTI("1") GII("POINTSET", "FLOAT32", "RowMajorOrder", "2000000000", "GZipBase64Binary", "LittleEndian",
 	    "<Data>" P_GZIP "</Data>"), MESH_EFORMAT, "header announces 6000000000 coordinates");
 	refuses(GIFTI("1") GII_POINTS("ExternalFileBinary", ""), MESH_EFORMAT, "array 0 is in an external file, 'x.bin', which is not read");
+	refuses(GIFTI("1") GII("POINTSET", "FLOAT32", "RowMajorOrder", "0", "ASCII", "LittleEndian", "") "</GIFTI>", MESH_EFORMAT,
+	    "no array of coordinates");
 	refuses(GIFTI("1") GII("POINTSET", "COMPLEX64", "RowMajorOrder", "4", "ASCII", "LittleEndian", ""), MESH_EFORMAT,
 	    "array 0: DataType=\"NIFTI_TYPE_COMPLEX64\" is not read");
 	refuses(GIFTI("2") GII_POINTS("ASCII", P_ASCII) GII_POINTS("ASCII", P_ASCII), MESH_EFORMAT, "more than one array of points");

@@ -70,7 +70,7 @@ data_array(Gifti *g, Xml *x, const char **attr)
 	g->a.kind = t == 0 || t == 2 ? 'f' : t == 4 ? 'u' : 'i';
 	g->a.coding = coding ? XML_BASE64 : XML_ASCII;
 	g->a.packing = coding == 2 ? XML_ZLIB : XML_PLAIN;
-	g->a.text.n = 0;
+	g->a.text = (Token){ NULL, 0 };
 	return 0;
 }
 

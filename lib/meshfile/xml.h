@@ -43,7 +43,7 @@ typedef struct XmlArray {
 	Token text;             /* where the array begins, and all bytes that may belong to it */
 	int   coding, packing;
 	int   head;             /* VTK: size of the integers before the bytes, 4 or 8; 0: none */
-	int   size, kind;       /* of a number: 4 or 8; 'i' signed, 'u' unsigned, 'f' floating; size 0: no array */
+	int   size, kind;       /* of a number: 4 or 8; 'i' signed, 'u' unsigned, 'f' floating; size 0, or text.s NULL: no array */
 	int   big;
 } XmlArray;
 

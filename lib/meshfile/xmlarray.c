@@ -230,7 +230,7 @@ xmlarray_numbers(Reader *r, const XmlArray *a, const char *what, long long n, in
 	    (a->packing == XML_PLAIN ? left : packed < r->most ? packed : r->most)/(size_t)(a->size ? a->size : 8);
 	double *x;
 
-	if (!a->size) {
+	if (!a->size || !a->text.s) {
 		*e = mesh_fail(r->s->err, MESH_EFORMAT, "no array of %s", what);
 		return NULL;
 	}
