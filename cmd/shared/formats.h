@@ -7,7 +7,7 @@
 /* Copies text to out, of n bytes, with these marks replaced by lists from the table of formats.
  * Returns out.
  *
- *   {formats}     OFF, OBJ, PLY or STL      {ends}     .off .obj .ply or .stl
+ *   {formats}     OFF, OBJ, .. or glTF      {ends}     .off .obj .ply or .stl
  *   {uv formats}  those with (u,v)          {uv ends}  theirs
  *   {stdout}      the format of a mesh written to stdout */
 enum { FORMATS_USAGE = 8192 };
