@@ -105,7 +105,8 @@ gltf_accessor(Gltf *g, long long i, int n, GltfArray *a)
 		return e;
 	begin = json_int(j, json_get(j, w, "byteOffset"), 0);
 	length = json_int(j, json_get(j, w, "byteLength"), -1);
-	stride = json_int(j, json_get(j, w, "byteStride"), n*a->size);
+	stride = json_int(j, json_get(j, w, "byteStride"), 0);
+	stride = stride ? stride : n*a->size;           /* some write 0 for none */
 	if (begin < 0 || length < 0 || begin > (long long)b->n || length > (long long)b->n - begin)
 		return mesh_fail(g->r->s->err, MESH_EFORMAT, "the bufferView of accessor %lld is beyond the %zu bytes of its "
 		    "buffer", i, b->n);
