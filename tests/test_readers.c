@@ -113,6 +113,7 @@ freesurfer_binary(void **state)
 	static const char tkras[] = FS_TEXT FS_MESH "\0\0\0\2\0\0\0\0" FS_GEOMETRY;
 	static const char scanner[] = FS_TEXT FS_MESH "\0\0\0\3\0\0\0\0\0\0\0\2ab" "\0\0\0\2\0\0\0\1" FS_GEOMETRY "\0\0\0\3";
 	static const char invalid[] = FS_TEXT FS_MESH "\0\0\0\x14valid = 0\n";
+	static const char odd[] = FS_TEXT FS_MESH "\0\0\0\x14valid = 1\n\xb6 = 7\nvolume 1\n= 3\nxras = =\ny\nz\n\n";
 	static const char many[] = FS_TEXT "\x7f\xff\xff\xff\0\0\0\1", index[] = FS_TEXT "\0\0\0\1\0\0\0\1" FS_ZERO FS_ZERO
 	    FS_ZERO FS_ZERO FS_ZERO "\xff\xff\xff\xff";
 	Soup s;
@@ -126,6 +127,7 @@ freesurfer_binary(void **state)
 	has_facts(tkras, sizeof tkras - 1, FS_FACTS "space tkras\n");
 	has_facts(scanner, sizeof scanner - 1, FS_FACTS "space scanner\n");
 	has_facts(invalid, sizeof invalid - 1, "source FreeSurfer\nunit mm\nspace tkras\n");
+	has_facts(odd, sizeof odd - 1, "source FreeSurfer\nunit mm\nfs.valid 1\nfs.xras =\nspace tkras\n");
 	coordinate(tkras, sizeof tkras - 1, 3, 1);      /* not moved by c_ras */
 	assert_int_equal(parse(&s, many, sizeof many - 1), MESH_EFORMAT);
 	assert_non_null(strstr(s.err, "header announces 2147483647 vertices, file has room for 0"));

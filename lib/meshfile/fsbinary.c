@@ -48,6 +48,8 @@ geometry_line(Reader *r, const char *end)
 		if (*r->p >= 'a' && *r->p <= 'z')
 			name[n++] = *r->p;
 	name[n] = '\0';
+	if (n == 3)
+		return 0;
 	return fact_add(r, strcmp(name, "fs.cras") == 0 ? "c_ras" : name,
 	    (Token){ equal + 1, (size_t)(end - equal) - 1 });
 }
