@@ -376,6 +376,27 @@ vtp_appended(void **state)
 	refuses_bytes(file, n, MESH_EFORMAT, "coordinates: has 37 bytes, need 36");
 }
 
+/* Many pieces with the same appended bytes would fill the memory. */
+static void
+vtp_shared_bytes(void **state)
+{
+	static char file[40000];
+	size_t n = (size_t)sprintf(file, "%s", VTP("header_type=\"UInt32\""));
+	size_t head;
+	int i;
+
+	(void)state;
+	for (i = 0; i < 100; i++)
+		n += (size_t)sprintf(file + n, "%s", "<Piece NumberOfPoints=\"300\"><Points>"
+		    VTP_ARRAY("Float32", "Points", TAIL("0"), "") "</Points></Piece>");
+	n += (size_t)sprintf(file + n, "</PolyData><AppendedData encoding=\"raw\">_");
+	head = n;
+	n += 4 + 300*12;
+	file[head] = 300*12 & 255, file[head + 1] = 300*12 >> 8;
+	n += (size_t)sprintf(file + n, "</AppendedData></VTKFile>");
+	refuses_bytes(file, n, MESH_EFORMAT, "coordinates: arrays share their bytes");
+}
+
 static void
 facts_line_by_line(void **state)
 {
@@ -424,7 +445,7 @@ main(void)
 		cmocka_unit_test(freesurfer_binary), cmocka_unit_test(freesurfer_ascii),
 		cmocka_unit_test(vtk_ascii), cmocka_unit_test(vtk_binary),
 		cmocka_unit_test(gifti_rules), cmocka_unit_test(gifti_space), cmocka_unit_test(gifti_refused),
-		cmocka_unit_test(vtp_rules), cmocka_unit_test(vtp_appended),
+		cmocka_unit_test(vtp_rules), cmocka_unit_test(vtp_appended), cmocka_unit_test(vtp_shared_bytes),
 		cmocka_unit_test(facts_line_by_line), cmocka_unit_test(facts_in_comments)
 	};
 

@@ -144,7 +144,7 @@ static int
 parse_unpacked(Soup *s, const char *p, size_t n, size_t most, int flags)
 {
 	const MeshStart m = beginning_of(p, n, n, n);
-	Reader r = { .p = m.p, .end = m.p + m.n, .line = 1, .s = s, .most = most,
+	Reader r = { .p = m.p, .end = m.p + m.n, .line = 1, .s = s, .most = most, .unused = m.n,
 		.read_uv = flags & PARSE_UV, .loose = flags & PARSE_LOOSE };
 	const MeshFormat *format;
 	char list[MESHFORMAT_LIST];

@@ -18,6 +18,7 @@ typedef struct Reader {
 	double (*offset)[4];    /* the values for MESH_OFFSET; noffset of them were read */
 	size_t noffset, capoffset;
 	size_t most;            /* the most bytes that packed data in the file may unpack to */
+	size_t unused;          /* bytes of the file that arrays of XML may still take: each one once */
 	Soup  *s;
 	size_t ni;              /* corners read, including those of the unfinished face */
 	size_t capv, capf, capi;        /* the allocated lengths of xyz/3, first and idx */

@@ -154,8 +154,10 @@ plain(Source *s, const XmlArray *a, char *out, size_t want)
 	n = scan_bytes(head, a->head, a->big);
 	if (n != want)
 		return mesh_fail(s->r->s->err, MESH_EFORMAT, "%s: has %llu bytes, need %zu", s->what, n, want);
-	if (!s->base64)
-		return get(&ahead, want, out);
+	if (!s->base64) {
+		s->p = ahead.p;
+		return get(s, want, out);
+	}
 	if (!(both = mesh_alloc(s->r->s->err, want + (size_t)a->head, 1)))
 		return MESH_ENOMEM;
 	if ((e = get(s, want + (size_t)a->head, both)) == 0)
@@ -216,8 +218,12 @@ byte_numbers(Reader *r, const XmlArray *a, const char *what, long long n, double
 		e = blocks(&s, a->head, a->big, bytes, want);
 	else
 		e = plain(&s, a, bytes, want);
-	if (!e)
+	if (!e && (size_t)(s.p - t.s) > r->unused)
+		e = mesh_fail(r->s->err, MESH_EFORMAT, "%s: arrays share their bytes", what);
+	if (!e) {
+		r->unused -= (size_t)(s.p - t.s);
 		convert(a, bytes, n, x);
+	}
 	free(bytes);
 	return e;
 }
