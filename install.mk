@@ -43,7 +43,7 @@ $(BUILD)/lhg.pc: format/lhg.pc.in Makefile install.mk config.mk FORCE
 
 # ---- install ----
 
-SHARE    := scripts/lhg.py scripts/render.py scripts/raster.py
+SHARE    := scripts/lhg.py scripts/lhread.m scripts/lhread.R scripts/render.py scripts/raster.py
 DOC      := README.md CHANGELOG.md LICENSE doc/tutorial.md doc/mathematics.md format/LHG.md
 EXAMPLES := examples/smooth.sh examples/morph.sh examples/lhgends.c
 BASHDIR  := share/bash-completion/completions
