@@ -61,7 +61,8 @@ WRAPPED  := malloc calloc realloc free aligned_alloc strdup fftw_alloc_real fftw
 
 all: $(BIN)
 
-tests: $(TESTBIN) $(FUZZBIN) $(FAULTY)
+# The tests of an installation find man and liblhg made: several install at once.
+tests: $(TESTBIN) $(FUZZBIN) $(FAULTY) man liblhg
 
 # Links the objects $1 with the members of the archives $2 that they need, and the libraries $3.
 # With -t -t the linker lists the objects that went into the program; PROGRAM.used makes the

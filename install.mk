@@ -20,9 +20,8 @@ $(MAN1): $(BUILD)/man/%.1: $(BUILD)/bin/% man/%.mdoc man/lhgrid.7 scripts/manpag
 
 LHGOBJ   := $(patsubst %.c,$(BUILD)/pic/%.o,$(wildcard format/*.c))
 LHGSO    := liblhg.so.1
-LHGLIB   := $(BUILD)/liblhg.a $(BUILD)/$(LHGSO) $(BUILD)/lhg.pc
 
-liblhg: $(LHGLIB)
+liblhg: $(BUILD)/liblhg.a $(BUILD)/$(LHGSO)
 
 $(LHGOBJ): $(BUILD)/pic/%.o: %.c config.mk
 	@mkdir -p $(@D)
@@ -34,10 +33,6 @@ $(BUILD)/liblhg.a: $(LHGOBJ)
 
 $(BUILD)/$(LHGSO): $(LHGOBJ) format/lhg.map
 	$(CC) -shared -Wl,-soname,$(LHGSO) -Wl,--version-script=format/lhg.map -Wl,-z,defs $(LDFLAGS) -o $@ $(LHGOBJ) -lz
-
-$(BUILD)/lhg.pc: format/lhg.pc.in Makefile install.mk config.mk FORCE
-	@mkdir -p $(@D)
-	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@VERSION@|$(VERSION)|' $< >$@
 
 -include $(LHGOBJ:.o=.d)
 
@@ -56,7 +51,8 @@ install: all man liblhg
 	install -m 644 $(BUILD)/liblhg.a $(ROOT)/$(LIBDIR)
 	install -m 755 $(BUILD)/$(LHGSO) $(ROOT)/$(LIBDIR)
 	ln -sf $(LHGSO) $(ROOT)/$(LIBDIR)/liblhg.so
-	install -m 644 $(BUILD)/lhg.pc $(ROOT)/$(LIBDIR)/pkgconfig
+	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@VERSION@|$(VERSION)|' format/lhg.pc.in \
+	    >$(ROOT)/$(LIBDIR)/pkgconfig/lhg.pc
 	install -m 644 $(SHARE) $(ROOT)/share/lhgrid
 	chmod 755 $(ROOT)/share/lhgrid/render.py
 	install -m 644 $(DOC) $(ROOT)/share/doc/lhgrid
