@@ -48,7 +48,7 @@ class Case(ways.Ways):
     def line(self, s, way, parameter, p):
         surface.write(self.work + '-one.lhg', [p], self.T)
         apart = self.foot.distance(p)[1:-1, 1:-1]/self.root*100
-        print('%g %s %.4g %.4f %.5f %.4f %.5f %.5f %d %d %s' % (
+        print('%g %s %.4g %.4f %.5f %.4f %.4g %.4g %d %d %s' % (
             s, way, parameter, self.bending(p), (apart*self.area).sum()/self.area.sum(), apart.max(),
             *(self.roughness(p)/self.rough), self.crossings(self.work + '-one.lhg') - self.crossed,
             surface.folded(p), self.solves), flush=True)
