@@ -379,9 +379,9 @@ short_edges_collapse(void **state)
 	soup_free(&t);
 }
 
-/* The mean distance from the unit sphere of the vertices that fill a hole. */
+/* The mean distance, of the vertices that fill a hole in it, from the unit sphere moved by `far`. */
 static double
-hole_error(int fill)
+hole_error(int fill, double far)
 {
 	const double c[3] = { 0.1, 0.05, 1 };
 	Soup s = grid(sphere, 40, 40, 0), out;
@@ -391,6 +391,8 @@ hole_error(int fill)
 	MendReport r;
 
 	punch(&s, c, 0.6);
+	for (v = 0; v < 3*s.nv; v++)
+		s.xyz[v] += far;
 	o.fill = fill;
 	r = mended(&s, o, &out);
 	assert_int_equal(r.holes, 1);
@@ -400,7 +402,7 @@ hole_error(int fill)
 		if (channel_values(&out.channels, MESH_SOURCE)[v] < 0) {
 			const double *x = out.xyz + 3*v;
 
-			sum += fabs(hypot(hypot(x[0], x[1]), x[2]) - 1);
+			sum += fabs(hypot(hypot(x[0] - far, x[1] - far), x[2] - far) - 1);
 			n++;
 		}
 	assert_int_equal(n, r.vertices);
@@ -417,12 +419,14 @@ hole_error(int fill)
 static void
 a_patch_continues_the_surface(void **state)
 {
-	const double flat = hole_error(MEND_FLAT), c1 = hole_error(MEND_C1), c2 = hole_error(MEND_C2);
+	const double flat = hole_error(MEND_FLAT, 0), c1 = hole_error(MEND_C1, 0);
+	const double c2 = hole_error(MEND_C2, 0), far = hole_error(MEND_C2, 1e10);
 
 	(void)state;
-	print_message("mean distance from the sphere: flat %.2e, C1 %.2e, C2 %.2e\n", flat, c1, c2);
+	print_message("mean distance from the sphere: flat %.2e, C1 %.2e, C2 %.2e, C2 far from the origin %.2e\n", flat, c1, c2, far);
 	assert_true(c1 < 0.5*flat);
 	assert_true(c2 < 0.5*c1);
+	assert_true(far < 1.5*c2);
 }
 
 /* On a plane K x = 0 inside, and every patch is flat: the plane stays, to rounding. */

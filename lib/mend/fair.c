@@ -196,7 +196,8 @@ count_entries(Operator *o, int from, int order)
 }
 
 /* Assembles the matrix a of the free vertices.  Sets the right-hand sides B to minus the columns of the
- * held vertices times the positions of these. */
+ * held vertices times the positions of these, measured from vertex 0: far from the origin of the
+ * coordinates their sums would be lost in rounding. */
 static void
 assemble(Operator *o, int from, int order, Spd *a, double *B)
 {
@@ -212,7 +213,7 @@ assemble(Operator *o, int from, int order, Spd *a, double *B)
 			if (w >= v)
 				spd_add(a, w - from, v - from, o->x[w]);
 			for (c = 0; w < from && c < 3; c++)
-				B[(size_t)c*n + (size_t)(v - from)] -= o->x[w]*sheet_at(o->s, w)[c];
+				B[(size_t)c*n + (size_t)(v - from)] -= o->x[w]*(sheet_at(o->s, w)[c] - sheet_at(o->s, 0)[c]);
 		}
 	}
 }
@@ -235,7 +236,7 @@ solve(Sheet *s, Operator *o, int from, int order)
 	}
 	for (v = 0; !e && v < n; v++)
 		for (c = 0; c < 3; c++)
-			s->xyz[3*((size_t)from + v) + (size_t)c] = B[(size_t)c*n + v];
+			s->xyz[3*((size_t)from + v) + (size_t)c] = sheet_at(s, 0)[c] + B[(size_t)c*n + v];
 	free(B);
 	return e == 0 || e == SPD_EINDEFINITE ? e : mesh_fail(s->err, MESH_ENOMEM,
 	    "no memory to fair %zu vertices", n);
