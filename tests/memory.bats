@@ -37,6 +37,8 @@ share=4
 	printf '3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 8 4\n3 3 4 7\n' >>"$tmp/ring.off"
 	short_of $share mesh2disk "$tmp/ring.off"
 	short_of $share mesh2disk --check "$tmp/ring.off"
+	printf 'OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n1 1 .1\n' >"$tmp/points.off"
+	short_of 2 mesh2disk -q --points "$tmp/points.off"
 	short_of $share mesh2disk --holes=all --open=auto "$tmp/ring.off"
 }
 @test "grid2lh"   { short_of $share grid2lh "$tmp/phi"; short_of $share grid2lh --residual "$tmp/phi"; }

@@ -86,10 +86,10 @@ holefill_free(HolePatch *p)
 extern "C" int
 holefill(const Mesh *m, int n, const int (*at)[2], HolePatch *p)
 try {
+	*p = HolePatch();               /* first: the handlers free it */
 	Surface surface;
 	int e = HOLEFILL_ENOMEM;
 
-	*p = HolePatch();
 	p->done = static_cast<unsigned char *>(std::malloc(n + std::size_t(1)));
 	if (p->done && !build(m, surface))
 		e = HOLEFILL_ECGAL;
