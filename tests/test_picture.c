@@ -108,6 +108,11 @@ a_fit_takes_quantiles_and_centres_signed_values(void **state)
 	s.map = COLOURMAP_VIRIDIS;
 	colourscale_fit(&s, 101, x, (ColourEnd){ 1, 1 }, (ColourEnd){ 99, 1 });
 	assert_true(s.low == 4 && s.high == 9);
+	for (k = 0; k <= 100; k++)
+		x[k] = 0;
+	s.map = COLOURMAP_DIVERGING;
+	colourscale_fit(&s, 101, x, (ColourEnd){ 1, 1 }, (ColourEnd){ 99, 1 });
+	assert_true(s.low == 0 && !signbit(s.low) && s.high == 0);
 }
 
 static void

@@ -36,7 +36,7 @@ colourscale_fit(ColourScale *s, size_t n, double *x, ColourEnd low, ColourEnd hi
 	}
 	if (s->map == COLOURMAP_DIVERGING) {
 		s->high = fmax(fabs(s->low), fabs(s->high));
-		s->low = -s->high;
+		s->low = s->high > 0 ? -s->high : 0;     /* -0 would be printed */
 	}
 }
 
