@@ -32,6 +32,9 @@ meta() { lhinfo "$1" | awk -v k="$2" '$1 == "meta" && $2 == k { print $3 }'; }
 	below "$(awk -v l="$L" -v a="$area" 'BEGIN { r = l/sqrt(a)/.07; print (r > 1 ? r : 1/r) }')" 1.02
 	lhfft --scale=0.5 "$tmp/lh" -o "$tmp/length"
 	[ "$(meta "$tmp/length" scale)" = 0.5 ]
+	# log lambda is filtered at s = .005 of sqrt(area), whatever TAU: L = 2 pi s
+	lhfft --relief=2% "$tmp/lh" -o "$tmp/relief"
+	below "$(awk -v l="$(meta "$tmp/relief" scale)" -v a="$area" 'BEGIN { r = l/sqrt(a)/.0314159; print (r > 1 ? r : 1/r) }')" 1.02
 }
 
 @test "a surface 8 times as large, at a scale 8 times as large, is filtered alike" {

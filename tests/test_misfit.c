@@ -202,6 +202,29 @@ gradient_beyond_joined_sides(void **state)
 	boundary_is_free = 0;
 }
 
+/* The hold beyond that of all nodes falls by half with each ring, and the third line counts 1/100
+ * (doc/mathematics.md 6.8).  At the nodes looked at the grid resolves the surface. */
+static void
+place_is_held_more_on_the_first_rings(void **state)
+{
+	int r, i = chart.nu/2;
+	double more, next;
+	Misfit m;
+
+	(void)state;
+	surface_of_size(1);
+	m = misfit_of(NULL);
+	assert_int_equal(misfit_hold(&m, &(MisfitPlace){ phi, 0.05 }), 0);
+	assert_true(fabs(m.stretch - 0.01) < 1e-15);
+	for (r = 1; r < 3; r++) {
+		more = m.hold[r*chart.nu + i] - m.stiffness;
+		next = m.hold[(r + 1)*chart.nu + i] - m.stiffness;
+		assert_true(more > 0);
+		assert_true(fabs(more/next - 2) < 1e-6);
+	}
+	misfit_free(&m);
+}
+
 /* With a place, on every kind of chart, the gradient is the derivative, J'J is symmetric, and both
  * gain kappa times the displacement: at inner nodes, positive, for no other reason than the place. */
 static void
@@ -391,6 +414,7 @@ main(void)
 		cmocka_unit_test(gradient_is_the_derivative),
 		cmocka_unit_test(normal_matrix_is_that_of_the_gradient),
 		cmocka_unit_test(gradient_beyond_joined_sides),
+		cmocka_unit_test(place_is_held_more_on_the_first_rings),
 		cmocka_unit_test(gradient_with_a_place),
 		cmocka_unit_test(free_gradient_is_the_derivative),
 		cmocka_unit_test(free_normal_matrix_is_symmetric),
