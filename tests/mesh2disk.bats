@@ -168,3 +168,22 @@ head_of() { sed -n '1,/^end_header/p' "$1" | tr -d '\0'; }
 	[[ ${lines[2]} == "mended    $tmp/folder/c.off: closed surface cut open"* ]]
 	run -2 scripts/verdicts
 }
+
+@test "small files after public reports of bugs: each becomes a disk" {
+	[ -d "$meshes/wild" ] || skip "no test meshes: set LHGRID_MESHES"
+	local w="$meshes/wild" f
+	for f in b00_clean b07a_dup_face b08b_zero_area_ear b08d_edge_1e-12 b08e_cap_zero_area b09_t_junction \
+	    b10a_two_disks_one_vertex b12b_seam_across b15_specks b16a_face_missing b17a_nan_unused c07_nan_used \
+	    c08_specks_hole_dup; do
+		mesh2disk --check "$w/$f.off" >"$tmp/report"
+		grep -q '^result: a disk' "$tmp/report" || { echo "$f"; cat "$tmp/report"; false; }
+		mesh2disk -q "$w/$f.off" | mesh2rect -q -n 8 --polish=0 -o "$tmp/x"
+	done
+	mesh2disk -q "$w/noisy_seam.off" -o "$tmp/seam.off"
+	mesh2disk -q "$w/noisy.off" -o "$tmp/none.off"
+	cmp "$tmp/seam.off" "$tmp/none.off"
+	try 0 '8 boundary vertices lie at the place of others, as on a seam' "$w/noisy_seam.off" mesh2rect -n 8
+	try 1 '874 boundary vertices lie within .* --weld=auto welds them' "$w/b03c_stl_noise1e-7.stl" mesh2rect
+	mesh2disk --weld=auto --check "$w/b03c_stl_noise1e-7.stl" | grep -q '^result: a disk, 205 vertices, 360 faces'
+	try 1 'two of them on vertices 128 140 141: said twice' "$w/b07a_dup_face.off" mesh2rect
+}
