@@ -151,3 +151,39 @@ g = next(iter(lhg.read(sys.argv[1])))
 g.meta["scale"] = "x"
 lhg.write(sys.stdout.buffer, [g])' "$tmp/s") lh2grid
 }
+
+# move FROM TO HOW: FROM as it is seen from elsewhere, or with its nodes in another order; HOW done twice
+# gives FROM back.
+move() {
+	/usr/bin/python3 - "$@" <<-'END'
+		import sys
+		sys.path.insert(0, 'scripts')
+		import lhg
+		import numpy as np
+		g = next(iter(lhg.read(sys.argv[1])))
+		how = sys.argv[3]
+		tall = how == 'transposed'
+		out = lhg.Grid(*((g.nv, g.nu, 1/g.T) if tall else (g.nu, g.nv, g.T)))
+		turn = {'x': ('y', 1), 'y': ('x', 1), 'z': ('z', -1)} if how == 'turned' else {c: (c, 1) for c in 'xyz'}
+		for c in 'xyz':
+		    f = g[turn[c][0]]*turn[c][1]
+		    f = f[:, ::-1] if how == 'mirrored' else f.T if tall else f
+		    out.channels[c] = lhg.Channel(np.ascontiguousarray(f), 'length')
+		lhg.write(sys.argv[2], [out])
+	END
+}
+
+@test "a surface turned, mirrored or transposed is filtered alike" {
+	mkmesh -n 900 tooth | mesh2rect -q -n 24x20 -o "$tmp/tooth"
+	move "$tmp/tooth" "$tmp/as.is" none
+	for o in --scale=12% --relief=1%; do
+		grid2lh -q "$tmp/as.is" | lhfft -q $o | lh2grid -q -o "$tmp/want"
+		below 1e-3 "$(error_of "$tmp/tooth" "$tmp/want" max_rel)"
+		for how in turned mirrored transposed; do
+			move "$tmp/tooth" "$tmp/$how" $how
+			grid2lh -q "$tmp/$how" | lhfft -q $o | lh2grid -q -o "$tmp/got"
+			move "$tmp/got" "$tmp/back" $how
+			below "$(error_of "$tmp/want" "$tmp/back" max_rel)" 1e-5
+		done
+	done
+}
