@@ -60,7 +60,7 @@ typedef struct FitOptions {
  * phi     in/out  [3][nv][nu]: a start; the border is held unless it is free (m->free)
  * at      out     progress at the last step; solves are added to its cost
  *
- * The first weights, w = 30 and alpha = 1, converge from afar and leave no wrinkles where
+ * The first weights, w = 30 and alpha = 1, converge from afar and leave fewer wrinkles where
  * lambda and H belong to no surface.  Where the metric of the surface is close to lambda^2,
  * lambda and H do belong to one.  Then sharpening goes to w = 100 and alpha = 0.1, so that the
  * deviation of the grid from conformal weighs less.  If the metric is close at the start, this
