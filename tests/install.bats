@@ -105,3 +105,10 @@ completed() {
 	(cd "$tmp"/a/lhgrid-*/ && PATH="$tmp/bin:$PATH" make BUILD=build liblhg build/bin/lhinfo) >"$tmp/out" 2>&1
 	run ! grep 'git was called' "$tmp/out"
 }
+
+@test "the version is the same in programs, lhg.pc, CITATION.cff and the Debian changelog" {
+	local version=$(lhinfo --version | awk '{ print $3 }')
+	[ "$(sed -n 's/^Version: //p' "$tmp/root/opt/lhgrid/lib/pkgconfig/lhg.pc")" = "$version" ]
+	[ "$(sed -n 's/^version: "\(.*\)"/\1/p' CITATION.cff)" = "$version" ]
+	[ "$(sed -n '1s/^lhgrid (\(.*\)).*/\1/p' debian/changelog)" = "$version" ]
+}
