@@ -185,6 +185,8 @@ main(int argc, char *argv[])
 	e = mend(&out, &s, &o, &r);
 	if (e == MESH_ENOMEM || (e && !o.check))
 		die("%s: %s", name, out.err);
+	out.facts = s.facts;
+	s.facts = NULL;
 
 	if (o.check) {
 		write_report(name, &s, &out, &r, e ? out.err : NULL, json);

@@ -28,6 +28,12 @@ head_of() { sed -n '1,/^end_header/p' "$1" | tr -d '\0'; }
 	head_of "$tmp/once.ply" | grep -q '^property uchar filled$'
 }
 
+@test "what the file says of its coordinates goes along" {
+	mesh2disk "$tmp/face.off" | LC_ALL=C sed '/^format/a comment lhgrid fact space tkras' >"$tmp/fact.ply"
+	try 0 '' "$tmp/fact.ply" mesh2disk
+	[ "$(mesh2rect -q -n 8 --max-loss=1 "$tmp/out" | lhinfo | grep -c 'meta space tkras$')" = 1 ]
+}
+
 @test "each change is one note, and a comment in the output" {
 	without_faces "$tmp/face.off" 300 300 >"$tmp/hole.off"
 	try 0 'stdin: 1 hole filled by 1 face and 0 vertices, flat, the longest [0-9.]+ round$' "$tmp/hole.off" mesh2disk
