@@ -7,96 +7,16 @@
 #include "cornersmooth.h"
 #include "fitexact.h"
 #include "frame.h"
+#include "level.h"
 #include "../base/field.h"
-#include "../grid/resample.h"
 #include "surface.h"
 
-enum { COARSEST = 65*65 };      /* fewest nodes of a coarse grid */
-static const double SQUARE = M_SQRT2;   /* below this ratio of the steps both axes are coarsened; above,
-                                         * cells become more nearly square if only one is */
 static const double ENOUGH = 1e-4;      /* tolerance of coarse grids */
 enum { ROUGH = 12 };            /* most steps on coarse grids */
 /* The fit ends when the predicted decrease is below this share of E: on the finest grid, and on coarse
  * ones, where the interpolation to the next grid changes E by far more. */
 static const double FLAT = 1e-6, FLAT_COARSE = 1e-3;
 static const double WHOLE[2] = { 1, 1 };
-
-typedef struct Level {
-	Chart   g;
-	double *lambda2, *l2H;
-	double *phi;            /* [3] fields */
-} Level;
-
-static size_t
-nodes(Chart g)
-{
-	return (size_t)g.nu*g.nv;
-}
-
-/* The chart with half as many steps in both directions, or only in the one with clearly shorter steps. */
-static Chart
-coarser(Chart g)
-{
-	double h = chart_h(g), k = chart_k(g);
-	Chart c = g;
-
-	if (h < SQUARE*k)
-		c.nu = g.nu/2 + 1;
-	if (k < SQUARE*h)
-		c.nv = g.nv/2 + 1;
-	return c;
-}
-
-static int
-has_coarser(Chart g)
-{
-	return nodes(coarser(g)) >= COARSEST;
-}
-
-static void
-level_free(Level *l)
-{
-	free(l->lambda2);
-	free(l->l2H);
-	free(l->phi);
-}
-
-/* Interpolates f from another grid, times a factor, into phi; the outer `rings` rings of phi stay. */
-static int
-interpolate(Chart from, const double end[2], const double *f, double factor, Chart g, int rings,
-	double *phi)
-{
-	double *t = malloc(nodes(g)*sizeof *t);
-	int c, i, j, e = t ? 0 : SURFACE_ENOMEM;
-
-	for (c = 0; !e && c < 3; c++) {
-		e = resample_cubic(from, end, f + c*nodes(from), g, t);
-		for (j = rings; !e && j < g.nv - rings; j++)
-			for (i = rings; i < g.nu - rings; i++)
-				phi[c*nodes(g) + (size_t)j*g.nu + i] = t[(size_t)j*g.nu + i]*factor;
-	}
-	free(t);
-	return e;
-}
-
-/* Makes the next coarser level l, with the boundary curve in its phi. */
-static int
-coarsen(const Level *f, Level *l)
-{
-	int c, e = SURFACE_ENOMEM;
-
-	l->g = coarser(f->g);
-	l->lambda2 = malloc(nodes(l->g)*sizeof(double));
-	l->l2H = malloc(nodes(l->g)*sizeof(double));
-	l->phi = malloc(3*nodes(l->g)*sizeof(double));
-	if (l->lambda2 && l->l2H && l->phi)
-		e = resample_mean(f->g, f->lambda2, l->g, l->lambda2);
-	if (!e)
-		e = resample_mean(f->g, f->l2H, l->g, l->l2H);
-	for (c = 0; !e && c < 3; c++)
-		e = resample_cubic(f->g, WHOLE, f->phi + c*nodes(f->g), l->g, l->phi + c*nodes(l->g));
-	return e;
-}
 
 static int
 fit_level(const Level *l, int finest, const Residue *residue, const MisfitPlace *place, int free,
@@ -113,7 +33,7 @@ fit_level(const Level *l, int finest, const Residue *residue, const MisfitPlace 
 		misfit_free(&m);
 		return SURFACE_ENOMEM;
 	}
-	at->cost *= (size_t)at->nu*at->nv/(double)nodes(l->g);
+	at->cost *= (size_t)at->nu*at->nv/(double)level_nodes(l->g);
 	r = fit(&m, o, l->phi, at);
 	at->cost += at->solves;
 	if (r > 0 && finest && !residue && corners_smooth(&m, l->phi))
@@ -127,7 +47,7 @@ static int
 fit_finest(const Surface *s, double unit, const Level *l, const MisfitPlace *place, const FitOptions *o,
 	FitProgress *at)
 {
-	size_t n = 3*nodes(l->g), p;
+	size_t n = 3*level_nodes(l->g), p;
 	int r;
 
 	if (s->detail)
@@ -135,7 +55,7 @@ fit_finest(const Surface *s, double unit, const Level *l, const MisfitPlace *pla
 	for (p = 0; s->forecast && p < n; p++)
 		l->phi[p] += s->forecast[p]/unit;
 	if (s->residue && s->exact && !s->free) {
-		at->cost *= (size_t)at->nu*at->nv/(double)nodes(l->g);
+		at->cost *= (size_t)at->nu*at->nv/(double)level_nodes(l->g);
 		r = fitexact(l->g, l->lambda2, l->l2H, s->residue, o, l->phi, at);
 	} else
 		r = fit_level(l, 1, s->residue, place, s->free, o, at);
@@ -148,7 +68,7 @@ fit_finest(const Surface *s, double unit, const Level *l, const MisfitPlace *pla
 static int
 fit_at_place(const Surface *s, double unit, const Level *l, const FitOptions *o, FitProgress *at)
 {
-	size_t n = nodes(l->g);
+	size_t n = level_nodes(l->g);
 	double *phi = malloc(3*n*sizeof *phi);
 	MisfitPlace place = { phi, s->place->s/unit };
 	FitOptions last = *o;
@@ -172,16 +92,16 @@ fit_at_place(const Surface *s, double unit, const Level *l, const FitOptions *o,
 static int
 start_from_frame(const Surface *s, const Level *l, double *finest)
 {
-	double *lambda = malloc(nodes(l->g)*sizeof *lambda), *H = malloc(nodes(l->g)*sizeof *H);
+	double *lambda = malloc(level_nodes(l->g)*sizeof *lambda), *H = malloc(level_nodes(l->g)*sizeof *H);
 	double *fine[3], *phi[3];
 	int c, at, e = SPD_ENOMEM;
 	size_t p;
 
 	for (c = 0; c < 3; c++) {
-		fine[c] = finest + c*nodes(s->g);
-		phi[c] = l->phi + c*nodes(l->g);
+		fine[c] = finest + c*level_nodes(s->g);
+		phi[c] = l->phi + c*level_nodes(l->g);
 	}
-	for (p = 0; lambda && H && p < nodes(l->g); p++) {
+	for (p = 0; lambda && H && p < level_nodes(l->g); p++) {
 		lambda[p] = sqrt(l->lambda2[p]);
 		H[p] = l->l2H[p]/l->lambda2[p];
 	}
@@ -211,15 +131,15 @@ descend(const Surface *s, double unit, const Level *l, const FitOptions *o, doub
 
 	if (s->place)
 		return fit_at_place(s, unit, l, o, at);
-	if (has_coarser(l->g) && !resolves(s, l->g)) {
-		r = coarsen(l, &below);
+	if (level_has_coarser(l->g) && !resolves(s, l->g)) {
+		r = level_coarsen(l, &below);
 		if (!r)
 			r = descend(s, unit, &below, o, finest, at);
 		if (r >= 0)
-			r = interpolate(below.g, WHOLE, below.phi, 1, l->g, rings, l->phi);
+			r = level_interpolate(below.g, WHOLE, below.phi, 1, l->g, rings, l->phi);
 		level_free(&below);
 	} else if (s->start)
-		r = interpolate(s->start_chart, s->start_end, s->start, 1/unit, l->g, rings, l->phi);
+		r = level_interpolate(s->start_chart, s->start_end, s->start, 1/unit, l->g, rings, l->phi);
 	else
 		r = start_from_frame(s, l, finest);
 	if (r < 0)
@@ -243,7 +163,7 @@ clear_inside(Chart g, int rings, double *phi)
 	for (c = 0; c < 3; c++)
 		for (j = rings; j < g.nv - rings; j++)
 			for (i = rings; i < g.nu - rings; i++)
-				phi[c*nodes(g) + (size_t)j*g.nu + i] = 0;
+				phi[c*level_nodes(g) + (size_t)j*g.nu + i] = 0;
 }
 
 /* The largest power of two not above the mean of lambda: in this unit of length, squares and
@@ -268,8 +188,8 @@ choose_anchor(const Surface *s, double unit, const double *phi, Anchor *a)
 
 	if (!s->adrift)
 		return anchor_init(a, s->g, 1, phi);
-	t = malloc(3*nodes(s->g)*sizeof *t);
-	e = t ? interpolate(s->start_chart, s->start_end, s->start, 1/unit, s->g, 0, t) : SURFACE_ENOMEM;
+	t = malloc(3*level_nodes(s->g)*sizeof *t);
+	e = t ? level_interpolate(s->start_chart, s->start_end, s->start, 1/unit, s->g, 0, t) : SURFACE_ENOMEM;
 	if (!e)
 		e = anchor_init(a, s->g, 0, t);
 	free(t);
@@ -300,7 +220,7 @@ descend_free(const Surface *s, double unit, const Level *finest, const FitOption
 int
 surface(const Surface *s, const FitOptions *o, double *phi, FitProgress *at)
 {
-	size_t n = nodes(s->g), p;
+	size_t n = level_nodes(s->g), p;
 	Level finest = { s->g, malloc(n*sizeof(double)), malloc(n*sizeof(double)), phi };
 	double unit = unit_of(n, s->lambda);
 	int r = SURFACE_ENOMEM;
