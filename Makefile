@@ -163,12 +163,13 @@ $(FUZZRUN): run-fuzz-%: $(BUILD)/tests/fuzz/%
 $(BATSRUN): run-%: all tests
 	bats $*
 
-# The command tests that take only seconds.
+# The unit tests that take more than five seconds, and the command tests that take less.
+SLOW = %_adapt %_conformal %_intrinsicmap %_motions %_order %_surface %_synth
 FAST = arrows doc lhg lhgpy lhdiff
 
 quick: all $(UNIT)
 	scripts/arrows $(BUILD)
-	$(MAKE) -O $(filter-out %_adapt %_surface %_synth,$(UNITRUN)) $(FAST:%=run-tests/%.bats)
+	$(MAKE) -O $(filter-out $(SLOW),$(UNITRUN)) $(FAST:%=run-tests/%.bats)
 
 # One test, as make check runs it.
 test: all tests
