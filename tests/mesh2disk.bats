@@ -188,7 +188,7 @@ head_of() { sed -n '1,/^end_header/p' "$1" | tr -d '\0'; }
 	mesh2disk -q "$w/noisy_seam.off" -o "$tmp/seam.off"
 	mesh2disk -q "$w/noisy.off" -o "$tmp/none.off"
 	cmp "$tmp/seam.off" "$tmp/none.off"
-	try 0 '8 boundary vertices lie at the place of others, as on a seam' "$w/noisy_seam.off" mesh2rect -n 8
+	try 0 '8 boundary vertices lie at the place of others: a cut, or a seam' "$w/noisy_seam.off" mesh2rect -n 8
 	try 1 '874 boundary vertices lie within .* --weld=auto welds them' "$w/b03c_stl_noise1e-7.stl" mesh2rect
 	mesh2disk --weld=auto --check "$w/b03c_stl_noise1e-7.stl" | grep -q '^result: a disk, 205 vertices, 360 faces'
 	try 1 'two of them on vertices 128 140 141: said twice' "$w/b07a_dup_face.off" mesh2rect

@@ -247,7 +247,7 @@ build(Disk *d, const Soup *s, int loose, int *scratch)
 	if ((v = remedy_coincident(d)) < 0)
 		return v;
 	if (v > 0)
-		addnote(d, "%d boundary %s at the place of others, as on a seam: mesh2disk welds them", v,
+		addnote(d, "%d boundary %s at the place of others: a cut, or a seam, which mesh2disk welds", v,
 		    v == 1 ? "vertex lies" : "vertices lie");
 	return 0;
 }
