@@ -35,11 +35,11 @@ share=4
 @test "mesh2disk" {
 	printf 'OFF\n9 8 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n1 1 0\n2 1 0\n2 2 0\n1 2 0\n0 0 0\n' >"$tmp/ring.off"
 	printf '3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 8 4\n3 3 4 7\n' >>"$tmp/ring.off"
-	short_of $share mesh2disk "$tmp/ring.off"
+	short_of $share mesh2disk -q "$tmp/ring.off"    # notes may come before the error
 	short_of $share mesh2disk --check "$tmp/ring.off"
 	printf 'OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n1 1 .1\n' >"$tmp/points.off"
 	short_of 2 mesh2disk -q --points "$tmp/points.off"
-	short_of $share mesh2disk --holes=all --open=auto "$tmp/ring.off"
+	short_of $share mesh2disk -q --holes=all --open=auto "$tmp/ring.off"
 }
 @test "grid2lh"   { short_of $share grid2lh "$tmp/phi"; short_of $share grid2lh --residual "$tmp/phi"; }
 @test "lhfft"     { short_of $share lhfft -K 1 "$tmp/lh"; short_of $share lhfft -K 1 --basis=dft --spectrum="$tmp/table" "$tmp/lh"; }
@@ -64,6 +64,7 @@ share=4
 	for e in off obj ply ply.gz stl; do
 		short_of 2 mesh2rect -q -n 8 --split=0 --tolerance=1 --polish=0 --surface=facets "$tmp/cap.$e"
 	done
+	touch "$tmp/x.obj"              # a new file takes one allocation more than an old one
 	short_of $share mesh2rect -n 4 --polish=1 --uv="$tmp/x.obj" "$tmp/flat.off"
 	short_of 2 mesh2rect -n 4 "$tmp/flat.off"
 }

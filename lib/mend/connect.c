@@ -46,7 +46,8 @@ weld(Sheet *s, const MendOptions *o, MendReport *r, int **was)
 		r->close = e - r->coincident;
 	if (e >= 0)
 		e = weld_boundary(s, 0, to);
-	r->nearest = e < 0 || !o->check || !(diagonal > 0) ? -1 : weld_nearest(s, 0, NEAR*diagonal);
+	if (e >= 0 && o->check && diagonal > 0 && weld_nearest(s, 0, NEAR*diagonal, &r->nearest))
+		e = MESH_ENOMEM;
 	if (e >= 0 && r->weld > 0)
 		e = weld_boundary(s, r->weld, to);
 	if (e > 0 && o->weld != MEND_WELD_NONE) {

@@ -96,16 +96,18 @@ take_least(int v, int w, double distance, void *to)
 		near->least = distance;
 }
 
-double
-weld_nearest(const Sheet *s, double distance, double most)
+int
+weld_nearest(const Sheet *s, double distance, double most, double *least)
 {
 	Near near = { .s = s, .above = distance, .least = -1 };
-	int n, *list = boundary_list(s, &n);
+	int n, *list = boundary_list(s, &n), e = MESH_ENOMEM;
 
 	if (list && !sheet_corners(s->tri, 3*s->nf, s->nv, &near.first, &near.corner, s->err))
-		nearpoints(s->xyz, list, n, most, take_least, &near);
+		e = nearpoints(s->xyz, list, n, most, take_least, &near) ?
+		    mesh_fail(s->err, MESH_ENOMEM, "no memory to compare %d vertices", n) : 0;
 	free(list);
 	free(near.first);
 	free(near.corner);
-	return near.least;
+	*least = near.least;
+	return e;
 }

@@ -13,8 +13,8 @@
  * Returns the number of vertices that have the name of another, or MESH_ENOMEM. */
 int weld_boundary(const Sheet *s, double distance, int *to);
 
-/* The least distance above `distance` and up to `most` between two vertices on the boundary that share
- * no face; -1 if there is none, or if memory runs out. */
-double weld_nearest(const Sheet *s, double distance, double most);
+/* Sets *least to the least distance above `distance` and up to `most` between two vertices on the boundary
+ * that share no face, or to -1 if there is none.  Returns 0 or MESH_ENOMEM. */
+int weld_nearest(const Sheet *s, double distance, double most, double *least);
 
 #endif
