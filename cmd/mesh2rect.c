@@ -202,6 +202,17 @@ check_like(const char *corners, const char *like, int reversed)
 		misuse("--like-reversed needs --like");
 }
 
+/* Frees all of s but the facts. */
+static void
+keep_facts(Soup *s)
+{
+	char *facts = s->facts;
+
+	s->facts = NULL;
+	soup_free(s);
+	s->facts = facts;
+}
+
 int
 main(int argc, char *argv[])
 {
@@ -211,7 +222,6 @@ main(int argc, char *argv[])
 	int opt, corner[4], flip = 0, reversed = 0;
 	double apart, most_lost = 0.5;
 	Conformal c;
-	char *facts;
 	Soup s;
 	Disk d;
 	Lhg out;
@@ -241,10 +251,8 @@ main(int argc, char *argv[])
 	cmd_binary_output();
 	load_soup_loose(argv[optind], &s);
 	load_disk(cmd_name_of(argv[optind]), &s, &d);
-	facts = s.facts;
-	s.facts = NULL;
 	if (!uv)
-		soup_free(&s);
+		keep_facts(&s);
 	if (flip)
 		disk_flip(&d);
 	add_corner(cmd_name_of(argv[optind]), &d);
@@ -254,18 +262,14 @@ main(int argc, char *argv[])
 
 	begin_output(&out, &c.grid);
 	quality_meta(&out, &d, corner, apart, &c);
-	quality_facts(&out, facts);
+	quality_facts(&out, s.facts);
 	loss_report(&out, cmd_name_of(argv[optind]), most_lost, &d, &c);
 	quality_notes(cmd_name_of(argv[optind]), uv, &d, &options, &c);
-	if (uv) {
-		s.facts = facts;
-		facts = NULL;
+	if (uv)
 		uv_write(uv, &s, &d, c.u, c.v, c.grid.g, (const double *const *)c.grid.phi);
-		soup_free(&s);
-	}
 	cmd_write(&out);
 
-	free(facts);
+	soup_free(&s);
 	lhg_free(&out);
 	conformal_free(&c);
 	disk_free(&d);

@@ -77,6 +77,14 @@ head_of() { sed -n '1,/^end_header/p' "$1" | tr -d '\0'; }
 		assert len(r['components']) == 2 and len(r['loops']) == 2 and r['holes_filled'] == 1
 		assert r['result'] == 'disk' and r['result_vertices'] == r['vertices'] - 4
 	END
+	printf 'OFF\n3 1 0\n0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n' >"$tmp/a\"b.off"
+	mesh2disk --check "$tmp/a\"b.off" | grep -q '^result: refused: no face has area$'
+	mesh2disk --check --json "$tmp/a\"b.off" >"$tmp/out"
+	python3 - "$tmp/out" <<-'END'
+		import json, sys
+		r = json.load(open(sys.argv[1]))
+		assert r['file'].endswith('a"b.off') and r['result'] == 'refused' and r['reason'] == 'no face has area'
+	END
 	try 2 '--json needs --check' "$tmp/face.off" mesh2disk --json
 }
 

@@ -47,14 +47,26 @@ starts_at_place(const Lhg *g, const SurfaceFit *o)
 	return !o->no_place && !o->follows && lhg_find(g, PLACE[0]) && has_start(g, o) && !has_place(g, o);
 }
 
+/* The place channels as [3][nv][nu], to be freed. */
+static double *
+copy_place(const CmdInput *in, const Lhg *g)
+{
+	size_t n = (size_t)g->nu*g->nv;
+	double *phi = cmd_alloc(3*n, sizeof *phi), *f[3];
+	int c;
+
+	place_of(in, g, f);
+	for (c = 0; c < 3; c++)
+		memcpy(phi + c*n, f[c], n*sizeof *phi);
+	return phi;
+}
+
 /* The place channels as three fields, to be freed, or NULL.  Sets place->s from the metadatum scale. */
 static double *
 read_place(const CmdInput *in, const Lhg *g, const SurfaceFit *o, MisfitPlace *place)
 {
-	size_t n = (size_t)g->nu*g->nv;
 	char value[LHG_KEYLEN], *end;
-	double *f[3], *phi, L;
-	int c;
+	double *phi, L;
 
 	if (!has_place(g, o))
 		return NULL;
@@ -62,10 +74,7 @@ read_place(const CmdInput *in, const Lhg *g, const SurfaceFit *o, MisfitPlace *p
 	L = strtod(value, &end);
 	if (*end || !(L > 0 && isfinite(L)))
 		die("%s: the metadatum scale is '%s', not a positive number", in->name, value);
-	place_of(in, g, f);
-	phi = cmd_alloc(3*n, sizeof *phi);
-	for (c = 0; c < 3; c++)
-		memcpy(phi + c*n, f[c], n*sizeof *phi);
+	phi = copy_place(in, g);
 	*place = (MisfitPlace){ phi, L/(2*M_PI) };
 	return phi;
 }
@@ -119,13 +128,8 @@ read_start(const CmdInput *in, const Lhg *g, Surface *s)
 static double *
 start_at_place(const CmdInput *in, const Lhg *g, Surface *s)
 {
-	size_t n = (size_t)g->nu*g->nv;
-	double *start = cmd_alloc(3*n, sizeof *start), *f[3];
-	int c;
+	double *start = copy_place(in, g);
 
-	place_of(in, g, f);
-	for (c = 0; c < 3; c++)
-		memcpy(start + c*n, f[c], n*sizeof *start);
 	s->start_chart = s->g;
 	s->start_end[0] = s->start_end[1] = 1;
 	s->start = start;

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "describe.h"
-#include "json.h"
+#include "../shared/json.h"
 
 static const char *const support[] = { "grid", "border", "lattice" };
 

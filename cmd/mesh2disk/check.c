@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdarg.h>
 
+#include "../shared/json.h"
 #include "check.h"
 
 enum { MOST = 10 };             /* components and loops that are listed one by one */
@@ -95,6 +96,20 @@ loops_text(FILE *f, const MendReport *r)
 	row(f, r->opened, "closed, cut open", "along %g", r->cut);
 }
 
+/* Why mesh2disk refuses the file, or NULL; refusal is the reason with which mend failed, or NULL. */
+static const char *
+reason(const MendReport *r, const char *refusal)
+{
+	return refusal ? refusal : r->one_sided ? "one-sided" : r->genus ? "handles, without --handles=cut" : NULL;
+}
+
+/* Whether the result is a single component, and it is counted in n: r->disks or r->closed. */
+static int
+single(const MendReport *r, int n)
+{
+	return r->left == 1 && n == 1;
+}
+
 void
 check_text(FILE *f, const char *name, const Soup *s, const Soup *out, const MendReport *r, const char *refusal)
 {
@@ -103,13 +118,11 @@ check_text(FILE *f, const char *name, const Soup *s, const Soup *out, const Mend
 	faults_text(f, r);
 	components_text(f, r);
 	loops_text(f, r);
-	if (refusal)
-		fprintf(f, "result: refused: %s\n", refusal);
-	else if (r->one_sided || r->genus)
-		fprintf(f, "result: refused: %s\n", r->one_sided ? "one-sided" : "handles, without --handles=cut");
+	if (reason(r, refusal))
+		fprintf(f, "result: refused: %s\n", reason(r, refusal));
 	else
-		fprintf(f, "result: %s, %d vertices, %d faces\n", r->disks == 1 && r->left == 1 ? "a disk" :
-		    r->closed == 1 && r->left == 1 ? "a closed surface" : "no disk", out->nv, out->nf);
+		fprintf(f, "result: %s, %d vertices, %d faces\n", single(r, r->disks) ? "a disk" :
+		    single(r, r->closed) ? "a closed surface" : "no disk", out->nv, out->nf);
 }
 
 static void
@@ -172,17 +185,22 @@ counts_json(FILE *f, const MendReport *r)
 void
 check_json(FILE *f, const char *name, const Soup *s, const Soup *out, const MendReport *r, const char *refusal)
 {
-	const int good = !refusal && !r->one_sided && !r->genus;
+	const char *why = reason(r, refusal);
 
-	(void)name;
-	fprintf(f, "{\"vertices\": %d, \"faces\": %d", s->nv, s->nf);
+	fprintf(f, "{\"file\": ");
+	json_string(f, name);
+	fprintf(f, ", \"vertices\": %d, \"faces\": %d", s->nv, s->nf);
 	number(f, "diagonal", diagonal(r));
 	fprintf(f, ", \"units_from_tooth_to_body\": \"%s\"", unit_of(r));
 	counts_json(f, r);
 	lists_json(f, r);
-	fprintf(f, ", \"result\": \"%s\"", !good ? "refused" : r->disks == 1 && r->left == 1 ? "disk" :
-	    r->closed == 1 && r->left == 1 ? "closed" : "other");
-	if (good)
+	fprintf(f, ", \"result\": \"%s\"", why ? "refused" : single(r, r->disks) ? "disk" :
+	    single(r, r->closed) ? "closed" : "other");
+	if (why) {
+		fprintf(f, ", \"reason\": ");
+		json_string(f, why);
+	} else {
 		fprintf(f, ", \"result_vertices\": %d, \"result_faces\": %d", out->nv, out->nf);
+	}
 	fprintf(f, "}\n");
 }

@@ -94,21 +94,21 @@ split(Sheet *s, const Soup *soup, int *corner, int n)
 }
 
 static int
-add_face(Sheet *s, const Soup *soup, int f, int *corner, int *sorted, Cleaned *c)
+add_face(Sheet *s, const Soup *soup, int f, int *corner, int *sorted, MendReport *r)
 {
 	const int n = corners_of(soup, f, corner), before = s->nf, gone = no_vertex(soup, corner, n);
 	const int at = gone ? -1 : not_finite(soup, corner, n);
 	int e = 0;
 
 	if (gone) {
-		if (c->missing++ == 0)
-			c->missing_at = f;
+		if (r->missing++ == 0)
+			r->missing_at = f;
 	} else if (at >= 0) {
-		if (c->infinite++ == 0)
-			c->infinite_at = at;
+		if (r->infinite++ == 0)
+			r->infinite_at = at;
 	} else if (n < 3 || repeats(corner, n, sorted)) {
-		if (c->broken++ == 0)
-			c->broken_at = f;
+		if (r->broken++ == 0)
+			r->broken_at = f;
 	} else if (n == 3) {
 		memcpy(s->tri + 3*(size_t)s->nf++, corner, 3*sizeof *corner);
 	} else {
@@ -138,7 +138,7 @@ by_place(const void *a, const void *b)
 
 /* Sets keep to 1 for each triangle that is the first one on its three places, to 0 for the others. */
 static void
-mark_first(const Sheet *s, const int *place, Placed *p, unsigned char *keep, Cleaned *c)
+mark_first(const Sheet *s, const int *place, Placed *p, unsigned char *keep, MendReport *r)
 {
 	int f, k;
 
@@ -154,8 +154,8 @@ mark_first(const Sheet *s, const int *place, Placed *p, unsigned char *keep, Cle
 		    p[f].place[0] < p[f].place[1] && p[f].place[1] < p[f].place[2];
 
 		keep[p[f].face] = !same;
-		if (same && (c->twice++ == 0 || p[f].face < c->twice_at))
-			c->twice_at = p[f].face;
+		if (same && (r->twice++ == 0 || p[f].face < r->twice_at))
+			r->twice_at = p[f].face;
 	}
 }
 
@@ -181,15 +181,15 @@ find_places(const Sheet *s, int *place)
 }
 
 static int
-drop_twice(Sheet *s, Cleaned *c)
+drop_twice(Sheet *s, MendReport *r)
 {
 	int *place = mesh_alloc(s->err, (size_t)s->nv, sizeof *place), e = MESH_ENOMEM;
 	Placed *p = mesh_alloc(s->err, (size_t)s->nf, sizeof *p);
 	unsigned char *keep = mesh_alloc(s->err, (size_t)s->nf, 1);
 
 	if (place && p && keep && (e = find_places(s, place)) == 0) {
-		mark_first(s, place, p, keep, c);
-		e = c->twice ? sheet_keep(s, keep) : 0;
+		mark_first(s, place, p, keep, r);
+		e = r->twice ? sheet_keep(s, keep) : 0;
 	}
 	free(place);
 	free(p);
@@ -233,28 +233,27 @@ count_unused(const Soup *soup, int *used)
 }
 
 int
-sheet_clean(Sheet *s, const Soup *soup, Cleaned *c)
+sheet_clean(Sheet *s, const Soup *soup, MendReport *r)
 {
 	const size_t most = (size_t)soup->first[soup->nf] + (size_t)soup->nv;
 	int *corner, *sorted, f, e;
 
-	*c = (Cleaned){ .missing_at = -1, .infinite_at = -1, .broken_at = -1, .twice_at = -1 };
 	if ((e = allocate(s, soup)) != 0)
 		return e;
 	corner = mesh_alloc(s->err, most, sizeof *corner);
 	sorted = mesh_alloc(s->err, most, sizeof *sorted);
 	e = corner && sorted ? 0 : MESH_ENOMEM;
 	if (!e)
-		c->unused = count_unused(soup, sorted);
+		r->unused = count_unused(soup, sorted);
 	for (f = 0; !e && f < soup->nf; f++)
-		e = add_face(s, soup, f, corner, sorted, c);
+		e = add_face(s, soup, f, corner, sorted, r);
 	free(corner);
 	free(sorted);
 	if (!e)
-		e = drop_twice(s, c);
+		e = drop_twice(s, r);
 	if (!e && s->nf == 0)
 		e = mesh_fail(s->err, MESH_EDISK, soup->nf ? "no face is left: %d at vertices that do not exist, "
 		    "%d at vertices that are not finite, %d without three different corners" : "no faces",
-		    c->missing, c->infinite, c->broken);
+		    r->missing, r->infinite, r->broken);
 	return e;
 }

@@ -44,11 +44,9 @@ weld(Sheet *s, const MendOptions *o, MendReport *r, int **was)
 	r->coincident = e;
 	if (e >= 0 && (e = weld_boundary(s, AUTO*diagonal, to)) >= 0)
 		r->close = e - r->coincident;
-	if (e >= 0)
-		e = weld_boundary(s, 0, to);
 	if (e >= 0 && o->check && diagonal > 0 && weld_nearest(s, 0, NEAR*diagonal, &r->nearest))
 		e = MESH_ENOMEM;
-	if (e >= 0 && r->weld > 0)
+	if (e >= 0)
 		e = weld_boundary(s, r->weld, to);
 	if (e > 0 && o->weld != MEND_WELD_NONE) {
 		if ((*was = mesh_alloc(s->err, n, sizeof **was)) != NULL)

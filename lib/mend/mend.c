@@ -13,16 +13,6 @@
 #include "piece.h"
 #include "step.h"
 
-static void
-copy_cleaned(const Cleaned *c, MendReport *r)
-{
-	r->unused = c->unused;
-	r->missing = c->missing, r->missing_at = c->missing_at;
-	r->infinite = c->infinite, r->infinite_at = c->infinite_at;
-	r->broken = c->broken, r->broken_at = c->broken_at;
-	r->twice = c->twice, r->twice_at = c->twice_at;
-}
-
 static int
 flatten(Sheet *s, MendReport *r)
 {
@@ -148,14 +138,12 @@ int
 mend(Soup *out, const Soup *s, const MendOptions *o, MendReport *r)
 {
 	Sheet sheet = { .err = out->err };
-	Cleaned cleaned;
 	int e;
 
 	memset(out, 0, sizeof *out);
 	*r = (MendReport){ .missing_at = -1, .infinite_at = -1, .broken_at = -1, .twice_at = -1, .nearest = -1, .flat_at = -1,
 		.left_at = -1, .order = o->fill };
-	e = sheet_clean(&sheet, s, &cleaned);
-	copy_cleaned(&cleaned, r);
+	e = sheet_clean(&sheet, s, r);
 	if (!e && (e = mend_connect(&sheet, o, r)) == 0 && (e = mend_choose(&sheet, o, r)) == 0)
 		e = shape(&sheet, o, r);
 	if (!e && (e = sheet_compact(&sheet)) >= 0)

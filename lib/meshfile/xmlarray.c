@@ -43,7 +43,7 @@ most_bytes(const Source *s)
 	return s->base64 ? n/4*3 : n;
 }
 
-/* Unpacks n bytes of zlib data at in to exactly `want` bytes at out. */
+/* Unpacks the n bytes of zlib data `in` to `out`; an error unless they are all used and give `want` bytes. */
 static int
 unpack(const Source *s, const char *in, size_t n, char *out, size_t want)
 {

@@ -28,6 +28,11 @@ void fuzz_mesh(const uint8_t *data, size_t n, size_t most);
  * others. */
 void fuzz_mesh_from(const char *magic, size_t nmagic, const uint8_t *data, size_t n);
 
+/* The same for XML.  Whole files are read as they are: they begin with <?xml, and three arrays of packed data in
+ * them may unpack to 1100 bytes for each byte of the file, and 4 KiB.  Other inputs get `root`, the
+ * beginning of the root element, in place of their first bytes. */
+void fuzz_xml(const char *root, const uint8_t *data, size_t n);
+
 /* The memory that reading n bytes may use: 16 for each byte, and 1024 (meshfile.h). */
 size_t fuzz_meshbound(size_t n);
 

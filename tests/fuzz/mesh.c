@@ -193,3 +193,14 @@ fuzz_mesh_from(const char *magic, size_t nmagic, const uint8_t *data, size_t n)
 	fuzz_mesh(p, n, fuzz_meshbound(n));
 	free(p);
 }
+
+void
+fuzz_xml(const char *root, const uint8_t *data, size_t n)
+{
+	const size_t unpacked = 3*(1100*n + 4096);
+
+	if (n > 5 && memcmp(data, "<?xml", 5) == 0)
+		fuzz_mesh(data, n, fuzz_meshbound(n + unpacked));
+	else
+		fuzz_mesh_from(root, strlen(root), data, n);
+}
