@@ -3,7 +3,8 @@
  * Symbols used in lib/ without further comment (doc/mathematics.md 1):
  *
  *   phi      position in R^3 at node (i,j): arrays phi[0], phi[1], phi[2] = x, y, z
- *   h, k     grid steps along u and v; on the rectangle h = 1/(nu-1), k = T/(nv-1)   (23)
+ *   h, k     grid steps along u and v; on the rectangle h = 1/(nu-1), k = T/(nv-1)   (23);
+ *            on the sock h = 1/nu, k = T/(nv-1/2)
  *   lambda   conformal factor > 0: |phi_u| = |phi_v| = lambda, <phi_u, phi_v> = 0
  *   n        unit normal, phi_u x phi_v / |phi_u x phi_v|
  *   H        mean curvature, <Delta phi, n> / (2 lambda^2); -1 on the unit sphere whose
@@ -21,6 +22,7 @@ typedef struct Chart Chart;
  * side has nodes on it and nothing beyond it.  A joined side is glued to another side, and the last
  * nodes lie half a step inside it. */
 typedef struct ChartKind {
+	const char *name;       /* as in .lhg files and options */
 	int joined[2][2];       /* 1: joined.  [0]: sides u = 0, u = 1; [1]: v = 0, v = T */
 
 	/* Replaces (*i,*j), a place up to two steps beyond joined sides, by the node of the grid
@@ -35,8 +37,15 @@ struct Chart {
 	const ChartKind *kind;
 };
 
-/* The rectangle: all four sides are open. */
-extern const ChartKind CHART_RECTANGLE;
+/* The rectangle: all four sides are open.
+ *
+ * The sock: periodic in u, open at v = T, and folded at v = 0, where (u,-v) and (1-u,v) are the same
+ * point.  So the only boundary is v = T, and (0,0) and (1/2,0) are cone points of angle pi, between
+ * nodes.  nu is even, since i and nu-1-i are neighbours across the fold. */
+extern const ChartKind CHART_RECTANGLE, CHART_SOCK;
+
+/* The kind of that name, or NULL. */
+const ChartKind *chart_kind(const char *name);
 
 /* The number of grid steps across the domain along u (axis 0) or v (axis 1). */
 static inline double
@@ -57,6 +66,19 @@ static inline double
 chart_k(Chart g)
 {
 	return g.T/chart_steps(g, 1);
+}
+
+/* The coordinate u of column i, and v of row j. */
+static inline double
+chart_u(Chart g, int i)
+{
+	return (i + 0.5*g.kind->joined[0][0])*chart_h(g);
+}
+
+static inline double
+chart_v(Chart g, int j)
+{
+	return (j + 0.5*g.kind->joined[1][0])*chart_k(g);
 }
 
 #endif

@@ -1,0 +1,40 @@
+/* sheet.h - the images of a point of the sock's chart (chart.h).
+ *
+ * Continued across the fold and round the period, the chart covers the strip |v| <= T twice: (u,v),
+ * (-u,-v) and (u+1,v) are the same point.  The images of (u,v) are (sign u + shift, sign v), one for
+ * each Sheet.  The turns by pi about the cones (0,0) and (1/2,0) are { -1, 0 } and { -1, 1 }.
+ */
+#ifndef SHEET_H
+#define SHEET_H
+
+typedef struct Sheet {
+	signed char sign;       /* 1 or -1 */
+	int         shift;
+} Sheet;
+
+static inline double
+sheet_u(Sheet s, double u)
+{
+	return s.sign*u + s.shift;
+}
+
+static inline double
+sheet_v(Sheet s, double v)
+{
+	return s.sign*v;
+}
+
+/* First b, then a. */
+static inline Sheet
+sheet_compose(Sheet a, Sheet b)
+{
+	return (Sheet){ a.sign*b.sign, a.sign*b.shift + a.shift };
+}
+
+static inline Sheet
+sheet_inverse(Sheet a)
+{
+	return (Sheet){ a.sign, -a.sign*a.shift };
+}
+
+#endif

@@ -1,0 +1,146 @@
+/* test_sockplane.c - the unit disk on the sock: symmetries, round trips, derivatives, known moduli. */
+#include <math.h>
+
+#include "cmock.h"
+
+#include "../lib/base/chart.h"
+#include "../lib/base/sheet.h"
+#include "../lib/base/sockplane.h"
+
+static const double HEIGHT[] = { .01, .05, .125, .2, .5, 1, 3 };
+enum { HEIGHTS = sizeof HEIGHT/sizeof *HEIGHT, POINTS = 17 };
+
+/* Point number q of POINTS*POINTS inside the chart. */
+static void
+point(const SockPlane *p, int q, double *u, double *v)
+{
+	*u = (q%POINTS + .3)/POINTS;
+	*v = (q/POINTS + .4)/POINTS*p->T;
+}
+
+static void
+test_all_sheets_have_one_image(void **state)
+{
+	static const Sheet sheet[3] = { { -1, 0 }, { 1, 1 }, { -1, 1 } };
+	double u, v;
+	int t, q, i;
+
+	(void)state;
+	for (t = 0; t < HEIGHTS; t++) {
+		SockPlane p = sockplane(HEIGHT[t]);
+
+		for (q = 0; q < POINTS*POINTS; q++)
+			for (i = 0; i < 3; i++) {
+				point(&p, q, &u, &v);
+				assert_true(cabs(sockplane_z(&p, sheet_u(sheet[i], u), sheet_v(sheet[i], v)) -
+				    sockplane_z(&p, u, v)) < 1e-12);
+			}
+	}
+}
+
+static void
+test_boundary_is_the_circle_and_cones_are_s(void **state)
+{
+	int t, i;
+
+	(void)state;
+	for (t = 0; t < HEIGHTS; t++) {
+		SockPlane p = sockplane(HEIGHT[t]);
+
+		assert_true(cabs(sockplane_z(&p, 0, 0) + p.s) < 1e-14);
+		assert_true(cabs(sockplane_z(&p, .5, 0) - p.s) < 1e-14);
+		for (i = 0; i < POINTS; i++)
+			assert_true(fabs(cabs(sockplane_z(&p, i/(double)POINTS, p.T)) - 1) < 1e-12);
+	}
+}
+
+static void
+test_round_trip(void **state)
+{
+	double u, v, U, V, du;
+	int t, q;
+
+	(void)state;
+	for (t = 0; t < HEIGHTS; t++) {
+		SockPlane p = sockplane(HEIGHT[t]);
+
+		for (q = 0; q < POINTS*POINTS; q++) {
+			point(&p, q, &u, &v);
+			sockplane_uv(&p, sockplane_z(&p, u, v), &U, &V);
+			du = fabs(U - u);
+			/* where z is near the circle the rounding of z is magnified by 1/|dz/du| */
+			assert_true(fmin(du, 1 - du) < 1e-13 + 1e-14/sockplane_stretch(&p, u, v));
+			assert_true(fabs(V - v) < 1e-13 + 1e-14/sockplane_stretch(&p, u, v));
+		}
+	}
+}
+
+static void
+test_height_of_the_distance_of_the_cones(void **state)
+{
+	int t;
+
+	(void)state;
+	for (t = 1; t < HEIGHTS; t++) {
+		SockPlane p = sockplane(HEIGHT[t]);
+
+		assert_true(fabs(sockplane_height(2*p.s/(1 + p.s*p.s)) - p.T) < 1e-7*p.T);
+	}
+	/* rho = 1/sqrt 2 is its own complement */
+	assert_true(fabs(sockplane_height(M_SQRT1_2) - .25) < 1e-15);
+}
+
+static void
+test_stretch_is_the_derivative(void **state)
+{
+	double u, v, e = 1e-5, du, dv;
+	int t, q;
+
+	(void)state;
+	for (t = 1; t < HEIGHTS; t++) {
+		SockPlane p = sockplane(HEIGHT[t]);
+
+		for (q = 0; q < POINTS*(POINTS - 1); q++) {
+			point(&p, q, &u, &v);
+			du = cabs(sockplane_z(&p, u + e, v) - sockplane_z(&p, u - e, v))/(2*e);
+			dv = cabs(sockplane_z(&p, u, v + e) - sockplane_z(&p, u, v - e))/(2*e);
+			assert_true(fabs(du - dv) < 1e-5*(1 + 1/p.T));
+			assert_true(fabs(du - sockplane_stretch(&p, u, v)) < 1e-5*(1 + 1/p.T));
+		}
+	}
+}
+
+/* The area of a hemisphere by the sum over the nodes of a sock. */
+static void
+test_round_factor_has_the_area_of_a_hemisphere(void **state)
+{
+	int i, j, t;
+
+	(void)state;
+	for (t = 2; t < HEIGHTS - 1; t++) {
+		Chart g = { 128, (int)(128*HEIGHT[t] + .5) + 1, HEIGHT[t], &CHART_SOCK };
+		SockPlane p = sockplane(g.T);
+		double area = 0, r;
+
+		for (j = 0; j < g.nv; j++)
+			for (i = 0; i < g.nu; i++) {
+				r = sockplane_round(&p, chart_u(g, i), chart_v(g, j));
+				area += r*r*chart_h(g)*chart_k(g)*(j == g.nv - 1 ? .5 : 1);
+			}
+		assert_true(fabs(area/(2*M_PI) - 1) < 3e-4);
+	}
+}
+
+int
+main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_all_sheets_have_one_image),
+		cmocka_unit_test(test_boundary_is_the_circle_and_cones_are_s),
+		cmocka_unit_test(test_round_trip),
+		cmocka_unit_test(test_height_of_the_distance_of_the_cones),
+		cmocka_unit_test(test_stretch_is_the_derivative),
+		cmocka_unit_test(test_round_factor_has_the_area_of_a_hemisphere),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
