@@ -28,9 +28,28 @@ lhg_free(Lhg *g)
 
 /* ---- channels -------------------------------------------------------- */
 
-size_t
-lhg_count(int nu, int nv, int support, int step)
+static const char *const chart_word[] = { "rectangle", "sock" };
+
+const char *
+lhg_chartname(int chart)
 {
+	return chart_word[chart];
+}
+
+int
+lhg_chart(const char *name)
+{
+	int k;
+
+	for (k = LHG_SOCK; k >= 0 && strcmp(name, chart_word[k]) != 0; k--)
+		;
+	return k;
+}
+
+size_t
+lhg_count(const Lhg *g, int support, int step)
+{
+	int nu = g->nu, nv = g->nv;
 	size_t inner;
 
 	if (nu < LHG_MINN || nu > LHG_MAXN || nv < LHG_MINN || nv > LHG_MAXN)
@@ -39,10 +58,12 @@ lhg_count(int nu, int nv, int support, int step)
 		return step == 0 ? (size_t)nu*nv : 0;
 	if (step < 1 || step >= (nu > nv ? nu : nv))
 		return 0;
-	if (support == LHG_LATTICE)
+	if (support == LHG_LATTICE && g->chart == LHG_RECTANGLE)
 		return (size_t)((nu-1)/step + 1)*((nv-1)/step + 1);
 	if (support != LHG_BORDER)
 		return 0;
+	if (g->chart == LHG_SOCK)
+		return (size_t)nu*(step < nv ? step : nv);
 	inner = nu > 2*step && nv > 2*step ? (size_t)(nu - 2*step)*(nv - 2*step) : 0;
 	return (size_t)nu*nv - inner;
 }
@@ -62,7 +83,7 @@ double *
 lhg_add(Lhg *g, const char *name, const char *unit, int support, int step)
 {
 	LhgChannel *c = &g->chan[g->nchan];
-	size_t n = lhg_count(g->nu, g->nv, support, step);
+	size_t n = lhg_count(g, support, step);
 
 	if (g->nchan == LHG_MAXCHAN || n == 0 || lhg_find(g, name) ||
 	    !lhg_goodname(name, strlen(name), LHG_NAMELEN, "") ||
@@ -91,6 +112,14 @@ lhg_drop(Lhg *g, const char *name)
 	memmove(c, c + 1, (size_t)(&g->chan[g->nchan] - c)*sizeof *c);
 }
 
+size_t
+lhg_first(const Lhg *g, const LhgChannel *c)
+{
+	if (c->support == LHG_BORDER && g->chart == LHG_SOCK && c->step < g->nv)
+		return (size_t)(g->nv - c->step)*g->nu;
+	return 0;
+}
+
 /* The order of the nodes is that of LHG.md 2.2. */
 size_t
 lhg_next(const Lhg *g, const LhgChannel *c, size_t p)
@@ -101,7 +130,8 @@ lhg_next(const Lhg *g, const LhgChannel *c, size_t p)
 		return (j/w + 1)*w < nv ? (j/w + 1)*w*nu : nu*nv;
 	if (c->support == LHG_LATTICE && i % w)
 		return (i/w + 1)*w < nu ? j*nu + (i/w + 1)*w : lhg_next(g, c, j*nu + nu - 1);
-	if (c->support == LHG_BORDER && i >= w && i + w < nu && j >= w && j + w < nv)
+	if (c->support == LHG_BORDER && g->chart == LHG_RECTANGLE && i >= w && i + w < nu && j >= w &&
+	    j + w < nv)
 		return j*nu + nu - w;
 	return p;
 }
@@ -109,7 +139,7 @@ lhg_next(const Lhg *g, const LhgChannel *c, size_t p)
 void
 lhg_gather(const Lhg *g, LhgChannel *c, const double *f)
 {
-	size_t k, p = 0;
+	size_t k, p = lhg_first(g, c);
 
 	for (k = 0; k < c->n; k++, p = lhg_next(g, c, p))
 		c->f[k] = f[p];
@@ -118,7 +148,7 @@ lhg_gather(const Lhg *g, LhgChannel *c, const double *f)
 void
 lhg_scatter(const Lhg *g, const LhgChannel *c, double *f)
 {
-	size_t k, p = 0;
+	size_t k, p = lhg_first(g, c);
 
 	for (k = 0; k < c->n; k++, p = lhg_next(g, c, p))
 		f[p] = c->f[k];

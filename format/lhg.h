@@ -1,9 +1,10 @@
 /* lhg.h - read and write streams of .lhg grids (specification: LHG.md).
  *
  * A grid is nu x nv nodes of the chart [0,1] x [0,T].  Node (i,j), 0 <= i < nu,
- * 0 <= j < nv, lies at (u,v) = (i*h, j*k), h = 1/(nu-1), k = T/(nv-1).  A channel
- * holds one double for every node of its support; node (i,j) of a channel with
- * support LHG_GRID is element j*nu + i.
+ * 0 <= j < nv, lies at (u,v) = (i*h, j*k), h = 1/(nu-1), k = T/(nv-1); on the sock at
+ * ((i+1/2)*h, (j+1/2)*k), h = 1/nu, k = T/(nv-1/2).  A channel holds one double for
+ * every node of its support; node (i,j) of a channel with support LHG_GRID is element
+ * j*nu + i.
  *
  * Nothing here prints or exits.  A function that can fail returns one of the
  * negative codes below and, where it has a stream, leaves one line of
@@ -43,11 +44,17 @@ enum {
 	LHG_MAXHEAD = 65536                     /* bytes of one header */
 };
 
+/* What the sides of the chart are: LHG.md 2.1. */
+enum {
+	LHG_RECTANGLE,          /* all four sides are edges */
+	LHG_SOCK                /* periodic in u, folded at v = 0; the only edge is v = T */
+};
+
 /* Which nodes a channel covers, in row order (j slowest, i fastest). */
 enum {
 	LHG_GRID,               /* all */
-	LHG_BORDER,             /* less than `step` steps from the edge */
-	LHG_LATTICE             /* i and j multiples of `step` */
+	LHG_BORDER,             /* less than `step` steps from an edge */
+	LHG_LATTICE             /* i and j multiples of `step`; not on the sock */
 };
 
 typedef struct LhgChannel {
@@ -61,6 +68,7 @@ typedef struct LhgChannel {
 typedef struct Lhg {
 	int        nu, nv;              /* nodes, LHG_MINN .. LHG_MAXN each */
 	double     T;                   /* height of the chart, > 0 */
+	int        chart;               /* LHG_RECTANGLE or LHG_SOCK */
 	int        frame, frames;       /* this is grid `frame` of `frames`, counted from 1 */
 	int        nchan;
 	LhgChannel chan[LHG_MAXCHAN];
@@ -75,19 +83,25 @@ typedef struct LhgStream {
 	int       frame, frames;        /* of the last grid read or written; 0 0 before the first */
 	uint32_t  crc;                  /* of the last grid read or written; see LHG.md, frame */
 	long      grids;                /* read or written so far */
-	int       ahead;                /* line 1 of the next header is read or written already */
+	int       ahead;                /* version in line 1 of the next header, if that is read or
+	                                 * written already, else 0 */
 	char      err[256];
 } LhgStream;
 
-/* Start an empty grid: no channels, frame 1 of 1. */
+/* Start an empty grid on the rectangle: no channels, frame 1 of 1. */
 void lhg_init(Lhg *g, int nu, int nv, double T);
 
 /* Release everything g owns and leave it empty; may be called twice. */
 void lhg_free(Lhg *g);
 
-/* The number of nodes of a support, or 0 if step does not suit it (0 for
- * LHG_GRID, 1 .. max(nu,nv)-1 for the others) or a size is out of range. */
-size_t lhg_count(int nu, int nv, int support, int step);
+/* The name of a chart in LHG.md; and the chart of that name, or -1. */
+const char *lhg_chartname(int chart);
+int         lhg_chart(const char *name);
+
+/* The number of nodes of a support on the chart of g, or 0 if step does not suit it (0 for
+ * LHG_GRID, 1 .. max(nu,nv)-1 for the others), the chart has no such support, or a size is out
+ * of range. */
+size_t lhg_count(const Lhg *g, int support, int step);
 
 /* The channel of that name, or NULL. */
 LhgChannel *lhg_find(const Lhg *g, const char *name);
@@ -100,8 +114,9 @@ double *lhg_add(Lhg *g, const char *name, const char *unit, int support, int ste
 /* Remove the channel of that name, if there is one. */
 void lhg_drop(Lhg *g, const char *name);
 
-/* The number j*nu + i of the node of c that follows its node p in row order; nu*nv after the last.
- * The first node of every support is node 0. */
+/* The number j*nu + i of the first node of c in row order; and of its node that follows its node p,
+ * nu*nv after the last. */
+size_t lhg_first(const Lhg *g, const LhgChannel *c);
 size_t lhg_next(const Lhg *g, const LhgChannel *c, size_t p);
 
 /* lhg_gather sets the samples of c from f[nu*nv], a field on all nodes.  lhg_scatter copies the
@@ -131,10 +146,14 @@ size_t lhg_utf8(const char *p, size_t n);
 /* Start a stream that reads from or writes to f.  The caller closes f. */
 void lhg_open(LhgStream *s, FILE *f);
 
-/* Start a stream that reads from f, whose first bytes, LHG_MAGIC, have been read already: for
- * callers that must first see whether f is a stream of grids at all. */
-#define LHG_MAGIC "lhg 1\n"
-void lhg_open_behind_magic(LhgStream *s, FILE *f);
+/* Line 1 of a header, with its LF: the version of LHG.md that a reader must know, 1 or 2.  lhg_magic
+ * returns the version, or 0 if the LHG_MAGICLEN bytes at line are no such line. */
+enum { LHG_MAGICLEN = 6 };
+int  lhg_magic(const char *line);
+
+/* Start a stream that reads from f, whose first bytes, line 1 of this version, have been read
+ * already: for callers that must first see whether f is a stream of grids at all. */
+void lhg_open_behind_magic(LhgStream *s, FILE *f, int version);
 
 /* Read the next grid and its end mark.  After the last frame of a set also look at what follows: the
  * end of the input, or LHG_MAGIC of another grid.  On a pipe this waits until one of them arrives.
@@ -153,8 +172,9 @@ int lhg_write(LhgStream *s, const Lhg *g);
 
 /* Between two sets: write line 1 of the header of the next grid now; lhg_write will leave it out.
  * If the writer fails, or is killed, before that grid is complete, readers then see that the stream
- * is not complete.  Returns 0 or LHG_EIO. */
-int lhg_begin_next(LhgStream *s);
+ * is not complete.  version: that of the next grid, 1 on the rectangle and 2 on other charts; lhg_write
+ * returns LHG_EORDER for a grid of the other.  Returns 0 or LHG_EIO. */
+int lhg_begin_next(LhgStream *s, int version);
 
 #ifdef __cplusplus
 }

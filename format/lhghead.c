@@ -60,8 +60,10 @@ lhg_puthead(char *h, const Lhg *g, uint32_t prev)
 	size_t n;
 
 	lhg_putheight(T, g->T);
-	put(&t, "lhg 1\nsize %d %d\nheight %s\nframe %d %d %08lx\n", g->nu, g->nv, T,
+	put(&t, "lhg %d\nsize %d %d\nheight %s\nframe %d %d %08lx\n", lhg_version(g), g->nu, g->nv, T,
 	    g->frame, g->frames, (unsigned long)prev);
+	if (g->chart != LHG_RECTANGLE)
+		put(&t, "chart %s\n", lhg_chartname(g->chart));
 	for (c = g->chan; c < g->chan + g->nchan; c++) {
 		put(&t, "channel %s %s %s", c->name, c->unit, support_word[c->support]);
 		put(&t, c->step ? " %d\n" : "\n", c->step);
@@ -142,7 +144,7 @@ channel(Lhg *g, const char *p)
 	if (k > LHG_LATTICE || (k != LHG_GRID && (!word(&p, " ") || !number(&p, &c->step))) || *p != '\n')
 		return 0;
 	c->support = k;
-	c->n = lhg_count(g->nu, g->nv, k, c->step);
+	c->n = lhg_count(g, k, c->step);
 	g->nchan++;
 	return 1;
 }
@@ -152,6 +154,7 @@ channel(Lhg *g, const char *p)
 static int
 headline(Lhg *g, const char *p, uint32_t *prev)
 {
+	char chart[LHG_NAMELEN] = "";
 	size_t n;
 
 	if (word(&p, "meta ") || word(&p, "history "))
@@ -163,6 +166,8 @@ headline(Lhg *g, const char *p, uint32_t *prev)
 	if (word(&p, "frame "))
 		return number(&p, &g->frame) && word(&p, " ") && number(&p, &g->frames) && word(&p, " ") &&
 		    hex(&p, prev) && *p == '\n';
+	if (word(&p, "chart "))
+		return name(&p, chart) && (g->chart = lhg_chart(chart)) > LHG_RECTANGLE;
 	if (word(&p, "height ")) {
 		n = strcspn(p, "\n");
 		g->T = lhg_getheight(p, n);

@@ -17,11 +17,25 @@ lhg_open(LhgStream *s, FILE *f)
 	s->f = f;
 }
 
+int
+lhg_magic(const char *line)
+{
+	int version = line[4] - '0';
+
+	return memcmp(line, "lhg ", 4) == 0 && line[5] == '\n' && (version == 1 || version == 2) ? version : 0;
+}
+
+int
+lhg_version(const Lhg *g)
+{
+	return g->chart == LHG_RECTANGLE ? 1 : 2;
+}
+
 void
-lhg_open_behind_magic(LhgStream *s, FILE *f)
+lhg_open_behind_magic(LhgStream *s, FILE *f, int version)
 {
 	lhg_open(s, f);
-	s->ahead = 1;
+	s->ahead = version;
 }
 
 /* Writes to `to` where an error is: the frame that must come next, else the frame in g, else the

@@ -7,7 +7,6 @@
 /* ---- lhgio.c ---- */
 
 enum {
-	LHG_MAGICLEN = sizeof LHG_MAGIC - 1,
 	LHG_ALIGN = 64,         /* every part of a grid starts at a multiple of so many bytes */
 	LHG_BLOCK = 8192        /* samples read or written at a time, 64 KiB */
 };
@@ -27,6 +26,9 @@ int lhg_failio(LhgStream *s, const Lhg *g, const char *what);
 /* Checks that frame and frames of g may follow those of the grid before, by LHG.md 5.  Returns 0 or
  * LHG_EORDER. */
 int lhg_checkorder(LhgStream *s, const Lhg *g);
+
+/* The version of LHG.md that a reader of g must know. */
+int lhg_version(const Lhg *g);
 
 /* The CRC that line 4 of the next header repeats. */
 uint32_t lhg_lastcrc(const LhgStream *s);

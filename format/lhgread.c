@@ -9,8 +9,6 @@
 
 enum { FIRST = 131072 };        /* samples allocated before any has been read, 1 MiB */
 
-static const char MAGIC[] = LHG_MAGIC;
-
 /* Reads n bytes, or fewer if the input ends.  Interruption by a signal is not an error. */
 static size_t
 take(FILE *f, void *to, size_t n)
@@ -23,7 +21,15 @@ take(FILE *f, void *to, size_t n)
 	return got;
 }
 
-/* Reads line 1 of a header.  Returns 1, 0 if the input ends before it, or a negative code. */
+/* Whether the n < LHG_MAGICLEN bytes at b begin a line 1 that lhg_magic knows. */
+static int
+magicbegins(const char *b, size_t n)
+{
+	return memcmp(b, "lhg ", n < 4 ? n : 4) == 0 && (n < 5 || b[4] == '1' || b[4] == '2');
+}
+
+/* Reads line 1 of a header.  Returns its version, 0 if the input ends before it, or a negative
+ * code. */
 static int
 readmagic(LhgStream *s, const Lhg *g)
 {
@@ -32,16 +38,16 @@ readmagic(LhgStream *s, const Lhg *g)
 
 	if (n < sizeof b && ferror(s->f))
 		return lhg_failio(s, g, "read");
-	if (memcmp(b, MAGIC, n) == 0 && n > 0 && n < sizeof b)
-		return lhg_fail(s, g, LHG_ESHORT, "input ends in line 1 of a header");
-	if (memcmp(b, MAGIC, n) == 0)
-		return n > 0;
+	if (n < sizeof b && magicbegins(b, n))
+		return n > 0 ? lhg_fail(s, g, LHG_ESHORT, "input ends in line 1 of a header") : 0;
+	if (n == sizeof b && lhg_magic(b))
+		return lhg_magic(b);
 	if (g->nchan > 0 || s->grids > 0)
 		return lhg_fail(s, g, LHG_EDATA, "bytes follow the end mark%s", g->nchan > 0 ? "" : " before it");
-	if (n == sizeof b && memcmp(b, MAGIC, n - 1) == 0 && b[n-1] == '\r')
+	if (n == sizeof b && magicbegins(b, n - 1) && b[n-1] == '\r')
 		return lhg_fail(s, g, LHG_EMAGIC, "input is an lhg stream whose line ends were changed");
-	if (n == sizeof b && memcmp(b, MAGIC, 4) == 0)
-		return lhg_fail(s, g, LHG_EMAGIC, "input is not version 1 of lhg");
+	if (n == sizeof b && memcmp(b, "lhg ", 4) == 0)
+		return lhg_fail(s, g, LHG_EMAGIC, "input is not version 1 or 2 of lhg");
 	return lhg_fail(s, g, LHG_EFOREIGN, "input is not an lhg stream");
 }
 
@@ -56,15 +62,15 @@ shorthead(LhgStream *s, const Lhg *g, const char *h, size_t n)
 	    lhg_fail(s, g, LHG_ESHORT, "input ends in header line %d", line);
 }
 
-/* Section 2: reads a header whose line 1 has been read already.  h gets the whole header, with line
- * 1, and a NUL. */
+/* Section 2: reads a header whose line 1, of this version, has been read already.  h gets the whole
+ * header, with line 1, and a NUL. */
 static int
-takehead(LhgStream *s, const Lhg *g, char h[LHG_MAXHEAD + 1], size_t *n)
+takehead(LhgStream *s, const Lhg *g, int version, char h[LHG_MAXHEAD + 1], size_t *n)
 {
 	char *line = h, *lf = NULL;
 	size_t want, got;
 
-	memcpy(h, MAGIC, LHG_MAGICLEN);
+	snprintf(h, LHG_MAGICLEN + 1, "lhg %d\n", version);
 	for (*n = LHG_MAGICLEN; *n < LHG_MAXHEAD;) {
 		want = LHG_ALIGN - *n % LHG_ALIGN;
 		*n += got = take(s->f, h + *n, want);
@@ -81,17 +87,17 @@ takehead(LhgStream *s, const Lhg *g, char h[LHG_MAXHEAD + 1], size_t *n)
 	return lhg_fail(s, g, LHG_EHEAD, "header has no end in its first %d bytes", LHG_MAXHEAD);
 }
 
-/* Reads a header whose line 1 has been read already, and parses it into g.  *crc: the CRC at its
- * end. */
+/* Reads a header whose line 1, of this version, has been read already, and parses it into g.  *crc:
+ * the CRC at its end. */
 static int
-readhead(LhgStream *s, Lhg *g, uint32_t *crc)
+readhead(LhgStream *s, Lhg *g, int version, uint32_t *crc)
 {
 	char h[LHG_MAXHEAD + 1], digits[16];
 	uint32_t prev = 0;
 	size_t n;
 	int e;
 
-	if ((e = takehead(s, g, h, &n)) != 0)
+	if ((e = takehead(s, g, version, h, &n)) != 0)
 		return e;
 	*crc = lhg_headcrc(h, n);
 	snprintf(digits, sizeof digits, " %08lx\n", (unsigned long)*crc);
@@ -201,20 +207,20 @@ readend(LhgStream *s, const Lhg *g)
 	return 0;
 }
 
-/* Reads a grid behind line 1 of its header.  After the last frame of a set also reads line 1 of the
- * next header, if the input does not end there. */
+/* Reads a grid behind line 1 of its header, of this version.  After the last frame of a set also reads
+ * line 1 of the next header, if the input does not end there. */
 static int
-readgrid(LhgStream *s, Lhg *g, uint32_t *crc)
+readgrid(LhgStream *s, Lhg *g, int version, uint32_t *crc)
 {
 	int c, e;
 
-	e = readhead(s, g, crc);
+	e = readhead(s, g, version, crc);
 	for (c = 0; !e && c < g->nchan; c++)
 		e = readchannel(s, g, &g->chan[c], crc);
 	if (!e)
 		e = readend(s, g);
 	if (!e && g->frame == g->frames && (e = readmagic(s, g)) > 0) {
-		s->ahead = 1;
+		s->ahead = e;
 		e = 0;
 	}
 	return e;
@@ -227,7 +233,7 @@ lhg_read(LhgStream *s, Lhg *g)
 	int e;
 
 	lhg_init(g, 0, 0, 0);
-	e = s->ahead ? 1 : readmagic(s, g);
+	e = s->ahead ? s->ahead : readmagic(s, g);
 	if (e == 0 && s->grids == 0)
 		return lhg_fail(s, g, LHG_EMAGIC, "empty input");
 	if (e == 0 && s->frame < s->frames)
@@ -235,7 +241,7 @@ lhg_read(LhgStream *s, Lhg *g)
 	if (e <= 0)
 		return e;
 	s->ahead = 0;
-	if ((e = readgrid(s, g, &crc)) != 0) {
+	if ((e = readgrid(s, g, e, &crc)) != 0) {
 		lhg_free(g);
 		return e;
 	}

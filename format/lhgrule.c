@@ -9,7 +9,7 @@ static int
 checkchannel(LhgStream *s, const Lhg *g, int c)
 {
 	const LhgChannel *ch = &g->chan[c];
-	size_t n = lhg_count(g->nu, g->nv, ch->support, ch->step);
+	size_t n = lhg_count(g, ch->support, ch->step);
 
 	if (!memchr(ch->name, '\0', LHG_NAMELEN) || !lhg_goodname(ch->name, strlen(ch->name), LHG_NAMELEN, ""))
 		return lhg_fail(s, g, LHG_ELIMIT, "the name of channel %d is not 1 to %d letters, digits or ._+-",
@@ -69,6 +69,10 @@ lhg_check(LhgStream *s, const Lhg *g)
 
 	if (g->nu < LHG_MINN || g->nu > LHG_MAXN || g->nv < LHG_MINN || g->nv > LHG_MAXN)
 		return lhg_fail(s, g, LHG_ELIMIT, "size is not %d to %d nodes each way", LHG_MINN, LHG_MAXN);
+	if (g->chart != LHG_RECTANGLE && g->chart != LHG_SOCK)
+		return lhg_fail(s, g, LHG_ELIMIT, "the chart is not known");
+	if (g->chart == LHG_SOCK && g->nu % 2)
+		return lhg_fail(s, g, LHG_ELIMIT, "a sock has an even number of nodes along u, not %d", g->nu);
 	if (!(g->T > 0) || !isfinite(g->T))
 		return lhg_fail(s, g, LHG_ELIMIT, "height is not a positive number");
 	if (g->frame < 1 || g->frame > g->frames || g->frames > LHG_MAXFRAMES)

@@ -60,13 +60,13 @@ writechannel(FILE *f, const LhgChannel *c, uint32_t *crc)
 }
 
 int
-lhg_begin_next(LhgStream *s)
+lhg_begin_next(LhgStream *s, int version)
 {
 	Lhg next = { .frames = 1 };
 
-	if (give(s->f, LHG_MAGIC, LHG_MAGICLEN) || fflush(s->f) == EOF)
+	if (fprintf(s->f, "lhg %d\n", version) < 0 || fflush(s->f) == EOF)
 		return lhg_failio(s, &next, "write");
-	s->ahead = 1;
+	s->ahead = version;
 	return 0;
 }
 
@@ -80,6 +80,8 @@ lhg_write(LhgStream *s, const Lhg *g)
 
 	if ((e = lhg_check(s, g)) != 0 || (e = lhg_checkorder(s, g)) != 0 || (e = checkfinite(s, g)) != 0)
 		return e;
+	if (s->ahead && s->ahead != lhg_version(g))
+		return lhg_fail(s, g, LHG_EORDER, "its chart is not that of the version begun");
 	if ((n = lhg_puthead(h, g, lhg_lastcrc(s))) == 0)
 		return lhg_fail(s, g, LHG_ELIMIT, "header is longer than %d bytes", LHG_MAXHEAD);
 	crc = lhg_headcrc(h, n);

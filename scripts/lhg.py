@@ -19,7 +19,8 @@ import numpy as np
 ALIGN = 64
 MAXHEAD, MAXLINE = 65536, 4000
 MAXN, MAXFRAMES, MAXCHAN = 32768, 1000000, 64
-MAGIC = b"lhg 1\n"
+MAGICS = b"lhg 1\n", b"lhg 2\n"        # section 2: the rectangle, other charts
+CHARTS = "rectangle", "sock"
 END = b"\nlhg end\x89\r\n\x1a\n" + bytes(50) + b"\n"            # section 4
 
 COUNT = r"(0|[1-9][0-9]{0,9})"
@@ -41,11 +42,11 @@ class Channel:
 
 
 class Grid:
-    """nu x nv nodes over [0,1] x [0,T]; channels: name -> Channel, meta: key -> value,
+    """nu x nv nodes over [0,1] x [0,T] of a chart of CHARTS; channels: name -> Channel, meta: key -> value,
     history: list of str, all in the order of the file."""
 
-    def __init__(self, nu, nv, T, frame=1, frames=1):
-        self.nu, self.nv, self.T, self.frame, self.frames = nu, nv, T, frame, frames
+    def __init__(self, nu, nv, T, frame=1, frames=1, chart="rectangle"):
+        self.chart, self.nu, self.nv, self.T, self.frame, self.frames = chart, nu, nv, T, frame, frames
         self.channels, self.meta, self.history = {}, {}, []
 
     def __getitem__(self, name):
@@ -57,15 +58,20 @@ class Grid:
         s = channel.step
         if channel.support == "grid":
             return np.ones((self.nv, self.nu), bool)
+        if channel.support == "border" and self.chart == "sock":
+            return j >= self.nv - s
         if channel.support == "border":
             return (i < s) | (j < s) | (i >= self.nu - s) | (j >= self.nv - s)
         return (i % s == 0) & (j % s == 0)
 
 
-def count(nu, nv, support, step):
+def count(grid, support, step):
     """The number of samples of a support, section 2.2."""
+    nu, nv = grid.nu, grid.nv
     if support == "grid":
         return nu * nv
+    if grid.chart == "sock":
+        return nu * min(step, nv)
     if support == "border":
         return nu * nv - max(nu - 2 * step, 0) * max(nv - 2 * step, 0)
     return ((nu - 1) // step + 1) * ((nv - 1) // step + 1)
@@ -84,6 +90,10 @@ def check(grid):
     """The limits of section 2 that the syntax of a line does not enforce."""
     if not (2 <= grid.nu <= MAXN and 2 <= grid.nv <= MAXN):
         raise Error("size is not 2 to %d nodes each way" % MAXN)
+    if grid.chart not in CHARTS:
+        raise Error("the chart is not known")
+    if grid.chart == "sock" and grid.nu % 2:
+        raise Error("a sock has an even number of nodes along u")
     if not (grid.T > 0 and math.isfinite(grid.T)):
         raise Error("height is not a positive number")
     if not 1 <= grid.frame <= grid.frames <= MAXFRAMES:
@@ -91,6 +101,8 @@ def check(grid):
     if not 1 <= len(grid.channels) <= MAXCHAN:
         raise Error("number of channels is not 1 to %d" % MAXCHAN)
     for name, c in grid.channels.items():
+        if c.support == "lattice" and grid.chart == "sock":
+            raise Error("channel %s: a sock has no lattice" % name)
         if c.support != "grid" and not 1 <= c.step <= max(grid.nu, grid.nv) - 1:
             raise Error("the step of channel %s does not suit the grid" % name)
 
@@ -130,23 +142,21 @@ def take(file, n, what):
 
 
 def read_magic(file, empty):
-    """Reads line 1 of a header.  Returns False at the end of the input.  empty: no grid came before."""
+    """Reads line 1 of a header.  Returns b"" at the end of the input.  empty: no grid came before."""
     magic = file.read(1)
-    if not magic:
-        return False
-    while len(magic) < len(MAGIC):
-        more = file.read(len(MAGIC) - len(magic))
+    while magic and len(magic) < len(MAGICS[0]):
+        more = file.read(len(MAGICS[0]) - len(magic))
         if not more:
             break
         magic += more
-    if magic != MAGIC:
+    if magic and magic not in MAGICS:
         raise Error("input is not an lhg stream" if empty else "bytes follow the end mark")
-    return True
+    return magic
 
 
-def read_head(file):
+def read_head(file, magic):
     """Reads a header from line 2 on and checks its CRC.  Returns the whole header and the CRC."""
-    head, line = bytearray(MAGIC), b""
+    head, line = bytearray(magic), b""
     while not line.startswith(b"end"):
         line = file.readline(MAXHEAD - len(head))
         head += line
@@ -183,12 +193,13 @@ def parse_head(head):
             raise Error("header line %d is malformed" % (at + 1))
         return m
 
-    need("(lhg 1)")
+    version, = need("lhg ([12])")
     nu, nv = need("size %s %s" % (COUNT, COUNT))
     T, = need(r"height ([0-9.e+-]{1,39})")
     frame, frames, crc = need("frame %s %s ([0-9a-f]{8})" % (COUNT, COUNT))
     try:
-        grid = Grid(int(nu), int(nv), float(T), int(frame), int(frames))
+        chart, = need("chart (sock)") if version == "2" else ("rectangle",)
+        grid = Grid(int(nu), int(nv), float(T), int(frame), int(frames), chart)
     except ValueError:
         raise Error("header line 3 is malformed") from None
     if not grid.T > 0 or spell(grid.T) != T:
@@ -212,7 +223,7 @@ def parse_head(head):
 def read_channel(file, grid, name, crc):
     """Reads the samples of a channel, section 3.  Takes and returns the running CRC of the grid."""
     c = grid.channels[name]
-    n = count(grid.nu, grid.nv, c.support, c.step)
+    n = count(grid, c.support, c.step)
     data = take(file, 8 * n, "channel " + name)
     tail = take(file, ALIGN - 8 * n % ALIGN, "channel " + name)
     crc = zlib.crc32(data, crc)
@@ -229,9 +240,9 @@ def read_channel(file, grid, name, crc):
 
 
 def read_grids(file):
-    order, ahead, empty = Order(), False, True
-    while ahead or read_magic(file, empty):
-        head, crc = read_head(file)
+    order, ahead, empty = Order(), b"", True
+    while magic := ahead or read_magic(file, empty):
+        head, crc = read_head(file, magic)
         grid, repeated = parse_head(head)
         order.check(grid)
         if repeated != order.due():
@@ -242,7 +253,7 @@ def read_grids(file):
             raise Error("end mark is wrong")
         order.passed(grid, crc)
         empty = False
-        ahead = not order.inside() and read_magic(file, empty)
+        ahead = b"" if order.inside() else read_magic(file, empty)
         yield grid
         if not order.inside() and not ahead:
             return
@@ -264,8 +275,9 @@ def read(file):
 
 def put_head(grid, due):
     """The header of a grid, and the CRC that ends it.  due: the CRC that line 4 repeats, or 0."""
-    lines = ["lhg 1", "size %d %d" % (grid.nu, grid.nv), "height " + spell(grid.T),
-             "frame %d %d %08x" % (grid.frame, grid.frames, due)]
+    plain = grid.chart == "rectangle"
+    lines = ["lhg 1" if plain else "lhg 2", "size %d %d" % (grid.nu, grid.nv), "height " + spell(grid.T),
+             "frame %d %d %08x" % (grid.frame, grid.frames, due)] + ([] if plain else ["chart " + grid.chart])
     for name, c in grid.channels.items():
         step = "" if c.support == "grid" else " %d" % c.step
         lines.append("channel %s %s %s%s" % (name, c.unit, c.support, step))
@@ -289,7 +301,7 @@ def put_head(grid, due):
 def put_samples(grid, name):
     c = grid.channels[name]
     data = np.asarray(c.data, "<f8")
-    n = count(grid.nu, grid.nv, c.support, c.step)
+    n = count(grid, c.support, c.step)
     if data.shape != ((grid.nv, grid.nu) if c.support == "grid" else (n,)):
         raise Error("channel %s: the shape of the array is not that of its support" % name)
     if not np.isfinite(data).all():
@@ -333,7 +345,9 @@ def write(file, grids):
 # ---- command ------------------------------------------------------------------------
 
 def summary(grid):
-    yield "size %d %d  height %s  frame %d of %d" % (grid.nu, grid.nv, spell(grid.T), grid.frame, grid.frames)
+    chart = "" if grid.chart == "rectangle" else "  chart " + grid.chart
+    yield "size %d %d  height %s  frame %d of %d%s" % (
+        grid.nu, grid.nv, spell(grid.T), grid.frame, grid.frames, chart)
     for name, c in grid.channels.items():
         step = "" if c.support == "grid" else " %d" % c.step
         yield "  %s  %s  %s%s  %d samples  %g .. %g" % (

@@ -5,7 +5,8 @@ function grids = lhread(path)
 %     H = g(1).channels(strcmp({g(1).channels.name}, 'H')).data;
 %     imagesc(H'); axis xy                     % H(i,j) at u = (i-1)/(nu-1), v = (j-1) T/(nv-1)
 %
-% Each grid has nu, nv, T, frame, frames; channels, a struct array of name, unit, support, step, data;
+% Each grid has chart ('rectangle', 'sock'), nu, nv, T, frame, frames; channels, a struct array of name,
+% unit, support, step, data;
 % meta, a cell {key, value} for each datum; and history, a cell of lines.  data is nu x nv for support
 % 'grid', else a column, row of nodes after row.  Whatever is wrong is an error of one line.  Written from
 % format/LHG.md, whose sections are cited; every CRC is checked.  Needs no toolbox and no package.
@@ -144,6 +145,10 @@ switch c.support
 case 'grid'
 	n = g.nu*g.nv;
 case 'border'
+	if strcmp(g.chart, 'sock')
+		n = g.nu*min(c.step, g.nv);
+		return
+	end
 	n = g.nu*g.nv - max(g.nu - 2*c.step, 0)*max(g.nv - 2*c.step, 0);
 otherwise
 	n = (floor((g.nu - 1)/c.step) + 1)*(floor((g.nv - 1)/c.step) + 1);
@@ -164,17 +169,30 @@ if spaces < 1 || spaces > 64 || isempty(regexp(lines{end}, '^end +[0-9a-f]{8}$',
 end
 lines(end) = [];
 count = '(0|[1-9][0-9]{0,9})';
-need(lines, 1, '(lhg 1)');
+version = need(lines, 1, 'lhg ([12])');
 size = str2double(need(lines, 2, ['size ' count ' ' count]));
 T = need(lines, 3, 'height ([0-9.e+-]{1,39})');
 frame = need(lines, 4, ['frame ' count ' ' count ' ([0-9a-f]{8})']);
 named = frame{3};
-g = struct('nu', size(1), 'nv', size(2), 'T', height_of(T{1}), 'frame', str2double(frame{1}), ...
+k = 5;
+chart = {'rectangle'};
+if version{1} == '2'
+	chart = need(lines, k, 'chart (sock)');
+	k = k + 1;
+end
+g = struct('chart', chart{1}, 'nu', size(1), 'nv', size(2), 'T', height_of(T{1}), ...
+    'frame', str2double(frame{1}), ...
     'frames', str2double(frame{2}), 'channels', [], 'meta', {cell(0, 2)}, 'history', {cell(0, 1)});
 if any(size < 2 | size > 32768) || g.frame < 1 || g.frame > g.frames || g.frames > 1000000
 	error('lhread: size or frame is out of range');
 end
-[g.channels, k] = read_channels(lines, 5, max(size), count);
+if strcmp(g.chart, 'sock') && mod(g.nu, 2) == 1
+	error('lhread: a sock has an even number of nodes along u');
+end
+[g.channels, k] = read_channels(lines, k, max(size), count);
+if strcmp(g.chart, 'sock') && any(strcmp({g.channels.support}, 'lattice'))
+	error('lhread: a sock has no lattice');
+end
 text = '([^ ]|[^ ].*[^ ])';
 while ~isempty(parts(lines, k, ['meta ([A-Za-z0-9._+-]{1,63}) ' text]))
 	m = parts(lines, k, ['meta ([A-Za-z0-9._+-]{1,63}) ' text]);
@@ -221,7 +239,8 @@ end
 
 % The lines of the header that begins behind byte `at`, without LF, and its length in bytes.
 function [lines, len] = split_head(bytes, at)
-if any(take(bytes, at, 6, 'line 1') ~= uint8([double('lhg 1'), 10]'))
+first = char(take(bytes, at, 6, 'line 1')');
+if ~any(strcmp(first, {['lhg 1' char(10)], ['lhg 2' char(10)]}))
 	if at == 0
 		error('lhread: input is not an lhg stream, or of another version');
 	end

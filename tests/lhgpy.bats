@@ -51,7 +51,7 @@ def grid(m):
     g = lhg.Grid(5, 4, 0.1 + 0.2, m, 2)
     for c, (name, unit, support, step) in enumerate((("x", "length", "grid", 0),
             ("band.H", "1/length", "border", 1), ("start.x", "length", "lattice", 2))):
-        k = np.arange(lhg.count(5, 4, support, step))
+        k = np.arange(lhg.count(g, support, step))
         f = (k*k - 7)/8 + 100*c + m
         g.channels[name] = lhg.Channel(f.reshape(4, 5) if support == "grid" else f, unit, support, step)
     g.meta = {"unit": "mm", "title": "Fl\u00e4che  2"}

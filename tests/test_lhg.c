@@ -71,6 +71,7 @@ same(const Lhg *a, const Lhg *b)
 {
 	int c;
 
+	assert_int_equal(a->chart, b->chart);
 	assert_int_equal(a->nu, b->nu);
 	assert_int_equal(a->nv, b->nv);
 	assert_memory_equal(&a->T, &b->T, sizeof a->T);
@@ -417,7 +418,7 @@ messages(void **state)
 	fails(text(""), LHG_EMAGIC, "empty input");
 	fails(text("solid ascii"), LHG_EFOREIGN, "input is not an lhg stream");
 	fails(text("\x1b[2J"), LHG_EFOREIGN, "input is not an lhg stream");
-	fails(text("lhg 2\n"), LHG_EMAGIC, "input is not version 1 of lhg");
+	fails(text("lhg 3\n"), LHG_EMAGIC, "input is not version 1 or 2 of lhg");
 	fails(text("lhg 1\r\n"), LHG_EMAGIC, "input is an lhg stream whose line ends were changed");
 	fails(text("lhg 1"), LHG_ESHORT, "input ends in line 1 of a header");
 	fails(text("lhg 1\nsize 5 4\nhei"), LHG_ESHORT, "input ends in header line 3");
@@ -426,7 +427,7 @@ messages(void **state)
 	fails(part(b, 0, h + 160), LHG_ESHORT, "channel x ends after its samples");
 	fails(part(b, 0, b.n - 1), LHG_ESHORT, "end mark is missing");
 	fails(glue(part(b, 0, b.n), text("\n")), LHG_EDATA, "bytes follow the end mark");
-	fails(glue(part(b, 0, b.n), text("lhg 2\n")), LHG_EDATA, "bytes follow the end mark");
+	fails(glue(part(b, 0, b.n), text("lhg 3\n")), LHG_EDATA, "bytes follow the end mark");
 	fails(glue(part(b, 0, b.n), text("lhg 1\n")), LHG_ESHORT, "grid 2: input ends in header line 2");
 	c = part(b, 0, b.n), c.p[b.n - 20] = 1;
 	fails(c, LHG_EDATA, "end mark is wrong");
@@ -681,6 +682,8 @@ badgrids(void **state)
 	sample(&g, 5, 4, 1, 1), g.nu = 1, unwritten(&g, LHG_ELIMIT);
 	sample(&g, 5, 4, 1, 1), g.nv = 32769, unwritten(&g, LHG_ELIMIT);
 	sample(&g, 5, 4, 1, 1), g.T = 0, unwritten(&g, LHG_ELIMIT);
+	sample(&g, 5, 4, 1, 1), g.chart = LHG_SOCK + 1, unwritten(&g, LHG_ELIMIT);
+	sample(&g, 4, 4, 1, 1), g.chart = LHG_SOCK, unwritten(&g, LHG_ELIMIT);      /* start.x is a lattice */
 	sample(&g, 5, 4, 1, 1), g.T = NAN, unwritten(&g, LHG_ELIMIT);
 	sample(&g, 5, 4, 1, 1), g.T = INFINITY, unwritten(&g, LHG_ELIMIT);
 	sample(&g, 5, 4, 2, 3), unwritten(&g, LHG_EORDER);
@@ -707,6 +710,30 @@ badgrids(void **state)
 	for (k = 0; k < 40; k++)
 		assert_int_equal(lhg_note(&g, line), 0);
 	unwritten(&g, LHG_ELIMIT);
+}
+
+/* Line 1 that is written early must be that of the grid that follows. */
+static void
+begunversion(void **state)
+{
+	Bytes b = NONE;
+	FILE *f = open_memstream(&b.p, &b.n);
+	LhgStream s;
+	Lhg g;
+
+	(void)state;
+	lhg_open(&s, f);
+	sample(&g, 4, 3, 1, 1);
+	assert_int_equal(lhg_write(&s, &g), 0);
+	assert_int_equal(lhg_begin_next(&s, 2), 0);
+	assert_int_equal(lhg_write(&s, &g), LHG_EORDER);
+	lhg_drop(&g, "start.x");
+	lhg_drop(&g, "band.x");
+	g.chart = LHG_SOCK;
+	assert_int_equal(lhg_write(&s, &g), 0);
+	lhg_free(&g);
+	fclose(f);
+	assert_int_equal(scan(b).grids, 2);
 }
 
 static void
@@ -766,10 +793,12 @@ brokenfiles(void **state)
 /* ---- grids in memory ------------------------------------------------- */
 
 static int
-covers(int nu, int nv, int support, int step, int i, int j)
+covers(const Lhg *g, int support, int step, int i, int j)
 {
+	if (support == LHG_BORDER && g->chart == LHG_SOCK)
+		return j >= g->nv - step;
 	if (support == LHG_BORDER)
-		return i < step || j < step || i >= nu - step || j >= nv - step;
+		return i < step || j < step || i >= g->nu - step || j >= g->nv - step;
 	if (support == LHG_LATTICE)
 		return i % step == 0 && j % step == 0;
 	return 1;
@@ -778,7 +807,7 @@ covers(int nu, int nv, int support, int step, int i, int j)
 /* Compares lhg_gather and lhg_scatter with the definition of the support: the nodes it covers, in
  * row order. */
 static void
-checksupport(int nu, int nv, int support, int step)
+checksupport(int chart, int nu, int nv, int support, int step)
 {
 	double f[100], back[100], *c;
 	size_t n = 0;
@@ -786,6 +815,7 @@ checksupport(int nu, int nv, int support, int step)
 	Lhg g;
 
 	lhg_init(&g, nu, nv, 1);
+	g.chart = chart;
 	c = lhg_add(&g, "c", "1", support, step);
 	assert_non_null(c);
 	for (p = 0; p < nu*nv; p++)
@@ -793,14 +823,22 @@ checksupport(int nu, int nv, int support, int step)
 	lhg_gather(&g, &g.chan[0], f);
 	lhg_scatter(&g, &g.chan[0], back);
 	for (p = 0; p < nu*nv; p++)
-		if (covers(nu, nv, support, step, p % nu, p / nu)) {
+		if (covers(&g, support, step, p % nu, p / nu)) {
 			assert_true(n < g.chan[0].n && c[n++] == p);
 			assert_true(back[p] == p);
 		} else
 			assert_true(back[p] == -1);
 	assert_int_equal(n, g.chan[0].n);
-	assert_int_equal(n, lhg_count(nu, nv, support, step));
+	assert_int_equal(n, lhg_count(&g, support, step));
 	lhg_free(&g);
+}
+
+static size_t
+count(int chart, int nu, int nv, int support, int step)
+{
+	Lhg g = { .nu = nu, .nv = nv, .chart = chart };
+
+	return lhg_count(&g, support, step);
 }
 
 static void
@@ -811,23 +849,26 @@ supports(void **state)
 	(void)state;
 	for (nu = 2; nu <= 10; nu++)
 		for (nv = 2; nv <= 10; nv++) {
-			checksupport(nu, nv, LHG_GRID, 0);
-			assert_int_equal(lhg_count(nu, nv, LHG_GRID, 1), 0);
+			checksupport(LHG_RECTANGLE, nu, nv, LHG_GRID, 0);
+			checksupport(LHG_SOCK, nu, nv, LHG_GRID, 0);
+			assert_int_equal(count(LHG_RECTANGLE, nu, nv, LHG_GRID, 1), 0);
 			for (step = 1; step < (nu > nv ? nu : nv); step++) {
-				checksupport(nu, nv, LHG_BORDER, step);
-				checksupport(nu, nv, LHG_LATTICE, step);
+				checksupport(LHG_RECTANGLE, nu, nv, LHG_BORDER, step);
+				checksupport(LHG_SOCK, nu, nv, LHG_BORDER, step);
+				checksupport(LHG_RECTANGLE, nu, nv, LHG_LATTICE, step);
+				assert_int_equal(count(LHG_SOCK, nu, nv, LHG_LATTICE, step), 0);
 			}
 			for (step = -1; step <= 0; step++) {
-				assert_int_equal(lhg_count(nu, nv, LHG_BORDER, step), 0);
-				assert_int_equal(lhg_count(nu, nv, LHG_LATTICE, step), 0);
+				assert_int_equal(count(LHG_RECTANGLE, nu, nv, LHG_BORDER, step), 0);
+				assert_int_equal(count(LHG_RECTANGLE, nu, nv, LHG_LATTICE, step), 0);
 			}
-			assert_int_equal(lhg_count(nu, nv, LHG_BORDER, nu > nv ? nu : nv), 0);
-			assert_int_equal(lhg_count(nu, nv, LHG_LATTICE, nu > nv ? nu : nv), 0);
+			assert_int_equal(count(LHG_RECTANGLE, nu, nv, LHG_BORDER, nu > nv ? nu : nv), 0);
+			assert_int_equal(count(LHG_RECTANGLE, nu, nv, LHG_LATTICE, nu > nv ? nu : nv), 0);
 		}
-	assert_int_equal(lhg_count(32768, 32768, LHG_GRID, 0), (size_t)1 << 30);
-	assert_int_equal(lhg_count(32768, 32768, LHG_BORDER, 32767), (size_t)1 << 30);
-	assert_int_equal(lhg_count(32768, 32768, LHG_LATTICE, 32767), 4);
-	assert_int_equal(lhg_count(32769, 4, LHG_GRID, 0) + lhg_count(4, 1, LHG_GRID, 0), 0);
+	assert_int_equal(count(LHG_RECTANGLE, 32768, 32768, LHG_GRID, 0), (size_t)1 << 30);
+	assert_int_equal(count(LHG_RECTANGLE, 32768, 32768, LHG_BORDER, 32767), (size_t)1 << 30);
+	assert_int_equal(count(LHG_RECTANGLE, 32768, 32768, LHG_LATTICE, 32767), 4);
+	assert_int_equal(count(LHG_RECTANGLE, 32769, 4, LHG_GRID, 0) + count(LHG_RECTANGLE, 4, 1, LHG_GRID, 0), 0);
 }
 
 static void
@@ -979,7 +1020,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(roundtrip), cmocka_unit_test(large), cmocka_unit_test(canonical),
-		cmocka_unit_test(assembled_by_hand), cmocka_unit_test(locales), cmocka_unit_test(truncated),
+		cmocka_unit_test(assembled_by_hand), cmocka_unit_test(locales), cmocka_unit_test(begunversion), cmocka_unit_test(truncated),
 		cmocka_unit_test(changed), cmocka_unit_test(insertedordropped), cmocka_unit_test(frames),
 		cmocka_unit_test(parts), cmocka_unit_test(messages), cmocka_unit_test(badheaders),
 		cmocka_unit_test(badends), cmocka_unit_test(longheaders), cmocka_unit_test(manychannels),

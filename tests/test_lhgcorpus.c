@@ -113,6 +113,17 @@ channels(Lhg *g, int m)
 	}
 }
 
+/* Two surfaces on a sock, and one on a rectangle between them. */
+static void
+socks(Lhg *g, int m)
+{
+	lhg_init(g, 6, 4, 0.7);
+	g->chart = m == 1 ? LHG_RECTANGLE : LHG_SOCK;
+	channel(g, "x", "length", LHG_GRID, 0);
+	channel(g, "band.x", "length", LHG_BORDER, 1);
+	channel(g, "b5", "1", LHG_BORDER, 5);
+}
+
 /* The longest names, keys and texts, and all kinds of characters that they may have. */
 static void
 texts(Lhg *g, int m)
@@ -138,9 +149,10 @@ static const struct Good {
 	int grids;
 	void (*make)(Lhg *g, int m);
 } good[] = {
-	{ "smallest", 1, smallest }, { "supports", 1, supports }, { "sets", 6, sets }, { "thin", 2, thin },
-	{ "numbers", 1, numbers }, { "heights", sizeof height/sizeof *height, heights },
-	{ "channels", 1, channels }, { "texts", 1, texts }
+	{ "v1-smallest", 1, smallest }, { "v1-supports", 1, supports }, { "v1-sets", 6, sets },
+	{ "v1-thin", 2, thin }, { "v1-numbers", 1, numbers },
+	{ "v1-heights", sizeof height/sizeof *height, heights }, { "v1-channels", 1, channels },
+	{ "v1-texts", 1, texts }, { "v2-socks", 3, socks }
 };
 enum { GOOD = sizeof good/sizeof *good };
 
@@ -209,7 +221,7 @@ static void swapped(Bytes *b) { order(b, "132"); }
 static void alone(Bytes *b) { order(b, "2"); }
 static void last(Bytes *b) { order(b, "12"); }
 static void behind(Bytes *b) { replace(b, glue(part(*b, 0, b->n), text("\n"))); }
-static void version2behind(Bytes *b) { replace(b, glue(part(*b, 0, b->n), text("lhg 2\nsize 2 2\n"))); }
+static void version3behind(Bytes *b) { replace(b, glue(part(*b, 0, b->n), text("lhg 3\nsize 2 2\n"))); }
 static void headbyte(Bytes *b) { b->p[11] ^= 1; }
 static void samplebit(Bytes *b) { b->p[SAMPLES + 6] ^= 1; }
 static void crcbyte(Bytes *b) { b->p[TAIL] ^= 1; }
@@ -341,6 +353,8 @@ static void sampleinf(Bytes *b) { sample(b, -INFINITY); }
 #define HEIGHT(s)  "lhg 1\nsize 5 4\nheight " s "\nframe 1 1 00000000\nchannel x 1 grid\n"
 #define FRAME(s)   "lhg 1\nsize 5 4\nheight 1\nframe " s "\nchannel x 1 grid\n"
 #define CHANNEL(s) "lhg 1\nsize 5 4\nheight 1\nframe 1 1 00000000\n" s
+#define FLAT(size, s) "lhg 1\nsize " size "\nheight 1\nframe 1 1 00000000\n" s "channel x 1 grid\n"
+#define SOCK(s)    "lhg 2\nsize 4 5\nheight 1\nframe 1 1 00000000\n" s
 #define MORE(s)    CHANNEL("channel x 1 grid\n") s
 #define S32        "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa"
 
@@ -354,11 +368,25 @@ static const struct Bad {
 	{ "empty", NULL, empty, "empty input" },
 	{ "not-lhg", NULL, notlhg, "input is not an lhg stream" },
 	{ "version-0", "lhg 0\nsize 5 4\nheight 1\nframe 1 1 00000000\nchannel x 1 grid\n", NULL,
-	    "input is not version 1 of lhg" },
-	{ "version-2", "lhg 2\nsize 5 4\nheight 1\nframe 1 1 00000000\nchannel x 1 grid\n", NULL,
-	    "input is not version 1 of lhg" },
+	    "input is not version 1 or 2 of lhg" },
+	{ "version-3", "lhg 3\nsize 5 4\nheight 1\nframe 1 1 00000000\nchannel x 1 grid\n", NULL,
+	    "input is not version 1 or 2 of lhg" },
+	{ "version-2-without-chart", SOCK("channel x 1 grid\n"), NULL,
+	    "header line 1 is out of place or not in its only spelling" },
+	{ "version-1-with-sock", FLAT("4 5", "chart sock\n"), NULL,
+	    "header line 1 is out of place or not in its only spelling" },
+	{ "chart-rectangle", SOCK("chart rectangle\nchannel x 1 grid\n"), NULL,
+	    "header line 5 is malformed" },
+	{ "chart-unknown", SOCK("chart glove\nchannel x 1 grid\n"), NULL, "header line 5 is malformed" },
+	{ "chart-sock-odd", FLAT("5 4", "chart sock\n"), NULL,
+	    "a sock has an even number of nodes along u, not 5" },
+	{ "chart-sock-lattice", SOCK("chart sock\nchannel x 1 grid\nchannel y 1 lattice 2\n"), NULL,
+	    "the support of channel y does not suit a grid of 4 x 5 nodes" },
+	{ "order-chart-before-frame",
+	    "lhg 2\nsize 4 5\nheight 1\nchart sock\nframe 1 1 00000000\nchannel x 1 grid\n", NULL,
+	    "header line 4 is out of place or not in its only spelling" },
 	{ "version-10", "lhg 10\nsize 5 4\nheight 1\nframe 1 1 00000000\nchannel x 1 grid\n", NULL,
-	    "input is not version 1 of lhg" },
+	    "input is not version 1 or 2 of lhg" },
 	{ "cut-in-magic", NULL, cutmagic, "input ends in line 1 of a header" },
 	{ "cut-in-header", NULL, cuthead, "input ends in header line 3" },
 	{ "cut-in-samples", NULL, cutsamples, "frame 1 of 3: channel x ends at sample 2 of 12" },
@@ -376,7 +404,7 @@ static const struct Bad {
 	{ "block-of-another-grid", NULL, otherblock, "frame 1 of 3: channel band.x: CRC is wrong" },
 	{ "blocks-swapped", NULL, blocksswapped, "frame 1 of 3: channel x: CRC is wrong" },
 	{ "bytes-behind", NULL, behind, "frame 3 of 3: bytes follow the end mark" },
-	{ "version-2-behind", NULL, version2behind, "frame 3 of 3: bytes follow the end mark" },
+	{ "version-3-behind", NULL, version3behind, "frame 3 of 3: bytes follow the end mark" },
 	{ "header-byte-changed", NULL, headbyte, "header CRC is wrong" },
 	{ "header-not-aligned", NULL, unaligned, "header does not end at a multiple of 64 bytes" },
 	{ "sample-bit-changed", NULL, samplebit, "frame 1 of 3: channel x: CRC is wrong" },
@@ -495,7 +523,7 @@ badbytes(const struct Bad *what)
 static const char *
 goodname(int i, char *path, const char *dir)
 {
-	snprintf(path, FILELEN, "%s/good/v1-%s.lhg", dir, good[i].name);
+	snprintf(path, FILELEN, "%s/good/%s.lhg", dir, good[i].name);
 	return path;
 }
 
@@ -572,6 +600,7 @@ same(const Lhg *a, const Lhg *b)
 {
 	int c;
 
+	assert_int_equal(a->chart, b->chart);
 	assert_true(a->nu == b->nu && a->nv == b->nv && a->frame == b->frame && a->frames == b->frames);
 	assert_memory_equal(&a->T, &b->T, sizeof a->T);
 	assert_true(!a->meta == !b->meta && (!a->meta || strcmp(a->meta, b->meta) == 0));
@@ -698,7 +727,7 @@ cut(const char *path, Bytes b)
 	for (n = 0; n < b.n; n++)
 		if (drain(b, n, err) >= 0) {
 			sets++;
-			if (n % 64 || memcmp(b.p + n, "lhg 1\n", 6) != 0)
+			if (n % 64 || !lhg_magic(b.p + n))
 				fail_msg("%s passes, cut to %zu bytes", path, n);
 		}
 	assert_true(sets < sizeof height/sizeof *height);

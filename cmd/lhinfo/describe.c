@@ -55,8 +55,8 @@ describe_json(FILE *f, const char *name, const Lhg *g)
 
 	fputs("{ \"file\": ", f);
 	json_string(f, name);
-	fprintf(f, ", \"nu\": %d, \"nv\": %d, \"T\": %.17g, \"frame\": %d, \"frames\": %d, \"channels\": [",
-		g->nu, g->nv, g->T, g->frame, g->frames);
+	fprintf(f, ", \"chart\": \"%s\", \"nu\": %d, \"nv\": %d, \"T\": %.17g, \"frame\": %d, \"frames\": %d, "
+		"\"channels\": [", lhg_chartname(g->chart), g->nu, g->nv, g->T, g->frame, g->frames);
 	for (c = g->chan; c < g->chan + g->nchan; c++) {
 		r = range(c);
 		fprintf(f, "%s{ \"name\": ", c == g->chan ? "" : ", ");
@@ -95,7 +95,8 @@ describe_text(FILE *f, const char *name, const Lhg *g)
 			fprintf(f, "%.*s", (int)len, name);
 		else
 			putc('?', f);
-	fprintf(f, ": %d x %d nodes, T %.9g, frame %d of %d\n", g->nu, g->nv, g->T, g->frame, g->frames);
+	fprintf(f, ": %d x %d nodes%s%s, T %.9g, frame %d of %d\n", g->nu, g->nv, g->chart ? " of a " : "",
+		g->chart ? lhg_chartname(g->chart) : "", g->T, g->frame, g->frames);
 	for (c = g->chan; c < g->chan + g->nchan; c++) {
 		r = range(c);
 		snprintf(span, sizeof span, c->step ? "%s %d" : "%s", support[c->support], c->step);

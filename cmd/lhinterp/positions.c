@@ -58,7 +58,7 @@ positions_shift(Lhg *g, const double *d)
 	for (k = 0; k < g->nchan; k++) {
 		if (!find_triple(g, k, c))
 			continue;
-		for (p = node = 0; p < c[0]->n; p++, node = lhg_next(g, c[0], node)) {
+		for (p = 0, node = lhg_first(g, c[0]); p < c[0]->n; p++, node = lhg_next(g, c[0], node)) {
 			coons(g->nu, g->nv, d, (int)(node%g->nu), (int)(node/g->nu), e);
 			for (i = 0; i < 3; i++)
 				c[i]->f[p] += e[i];

@@ -5,7 +5,7 @@
 static void
 border_coordinate(const Lhg *g, const LhgChannel *from, int c, Border *b)
 {
-	size_t k, p = 0;
+	size_t k, p = lhg_first(g, from);
 	int i, j;
 
 	for (k = 0; k < from->n; k++, p = lhg_next(g, from, p)) {

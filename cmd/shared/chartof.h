@@ -8,7 +8,7 @@
 static inline Chart
 chart_of(const Lhg *g)
 {
-	return (Chart){ g->nu, g->nv, g->T, &CHART_RECTANGLE };
+	return (Chart){ g->nu, g->nv, g->T, chart_kind(lhg_chartname(g->chart)) };
 }
 
 #endif

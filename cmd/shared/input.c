@@ -82,13 +82,13 @@ cmd_slurp_if(const char *path, CmdLook *look, size_t *n)
 int
 cmd_open_or_slurp(CmdInput *in, const char *path, CmdLook *look, char **bytes, size_t *n)
 {
-	char head[sizeof LHG_MAGIC - 1];
+	char head[LHG_MAGICLEN];
 	FILE *f = in_open(path);
 
 	in->name = cmd_name_of(path);
 	*n = fread(head, 1, sizeof head, f);
-	if (*n == sizeof head && memcmp(head, LHG_MAGIC, sizeof head) == 0) {
-		lhg_open_behind_magic(&in->s, f);
+	if (*n == sizeof head && lhg_magic(head)) {
+		lhg_open_behind_magic(&in->s, f, lhg_magic(head));
 		return 1;
 	}
 	*bytes = slurp(f, in->name, look, head, n);

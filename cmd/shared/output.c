@@ -221,8 +221,8 @@ void
 cmd_pass(const CmdInput *in, Lhg *g)
 {
 	cmd_write(g);
-	if (g->frame == g->frames && in->s.grids + in->s.ahead > output.grids.grids
-	    && lhg_begin_next(&output.grids))
+	if (g->frame == g->frames && in->s.grids + (in->s.ahead > 0) > output.grids.grids
+	    && lhg_begin_next(&output.grids, in->s.ahead))
 		die("%s: %s", output.out.path, output.grids.err);
 }
 

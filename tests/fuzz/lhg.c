@@ -21,7 +21,7 @@ valid(const Lhg *g)
 	fuzz_need(g->frame >= 1 && g->frame <= g->frames && g->frames <= LHG_MAXFRAMES, "frame");
 	fuzz_need(g->nchan >= 1 && g->nchan <= LHG_MAXCHAN, "number of channels");
 	for (c = g->chan; c < g->chan + g->nchan; c++) {
-		fuzz_need(c->n > 0 && c->n == lhg_count(g->nu, g->nv, c->support, c->step), "number of samples");
+		fuzz_need(c->n > 0 && c->n == lhg_count(g, c->support, c->step), "number of samples");
 		fuzz_need(lhg_find(g, c->name) == c, "name");
 		for (k = 0; k < c->n; k++)
 			fuzz_need(isfinite(c->f[k]), "sample");
