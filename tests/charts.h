@@ -33,8 +33,8 @@ pillow_beyond(Chart g, int *i, int *j)
 	return out ? -1 : 1;
 }
 
-static const ChartKind TUBE = { "tube", { { 0, 0 }, { 1, 1 } }, tube_beyond };
-static const ChartKind PILLOW = { "pillow", { { 1, 1 }, { 1, 1 } }, pillow_beyond };
+static const ChartKind TUBE = { "tube", .joined = { { 0, 0 }, { 1, 1 } }, .beyond = tube_beyond };
+static const ChartKind PILLOW = { "pillow", .joined = { { 1, 1 }, { 1, 1 } }, .beyond = pillow_beyond };
 static const ChartKind *const KINDS[4] = { &CHART_RECTANGLE, &TUBE, &PILLOW, &CHART_SOCK };
 
 #endif

@@ -73,7 +73,7 @@ grid(int nu, int nv, double (*f)(double x, double y))
 		y[p] = 2.*(p/nu)/(nv-1);
 		z[p] = f(x[p], y[p]);
 	}
-	assert_int_equal(mesh_from_grid(&m, nu, nv, x, y, z), 0);
+	assert_int_equal(mesh_from_grid(&m, (Chart){ nu, nv, 1, &CHART_RECTANGLE }, (const double *[]){ x, y, z }), 0);
 	free(x);
 	return m;
 }

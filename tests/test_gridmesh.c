@@ -1,5 +1,5 @@
-/* test_gridmesh.c - gridmesh_part: it removes faces without area from the mesh of a grid whose
- * nodes coincide or are collinear. */
+/* test_gridmesh.c - the mesh of a sock is closed across its seam and its fold; gridmesh_part removes
+ * faces without area from the mesh of a grid whose nodes coincide or are collinear. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -10,11 +10,16 @@
 #include <cmocka.h>
 
 #include "../lib/grid/gridmesh.h"
+#include "../lib/base/vec3.h"
+#include "../lib/grid/gridtree.h"
 #include "../lib/mesh/polygon.h"
+#include "sockcap.h"
 
 enum { NU = 9, NV = 7, N = NU*NV };
 
+static const Chart CHART = { NU, NV, 1, &CHART_RECTANGLE };
 static double phi[3][N];
+#define POSITIONS ((const double *[]){ phi[0], phi[1], phi[2] })
 
 /* A curved surface about 2 wide, translated by `offset` in x, y and z. */
 static void
@@ -61,9 +66,9 @@ part(int single, int *before, double *moved)
 	int p, c, left = -1;
 	Mesh m;
 
-	assert_int_equal(mesh_from_grid(&m, NU, NV, phi[0], phi[1], phi[2]), 0);
+	assert_int_equal(mesh_from_grid(&m, CHART, POSITIONS), 0);
 	*before = flat_faces(&m);
-	assert_int_equal(gridmesh_part(&m, NU, NV, single, &left), 0);
+	assert_int_equal(gridmesh_part(&m, CHART, single, &left), 0);
 	assert_int_equal(m.nf, 2*(NU-1)*(NV-1));
 	for (*moved = 0, p = 0; p < N; p++)
 		for (c = 0; c < 3; c++) {
@@ -168,10 +173,119 @@ what_has_no_area_is_told(void **state)
 	assert_true(part(1, &before, &moved) > 0);
 }
 
+enum { MU = 24, MV = 11, M = MU*MV };
+
+static void
+cap_mesh(Mesh *m)
+{
+	static double x[3][M];
+	const Chart g = { MU, MV, 0.45, &CHART_SOCK };
+	double *f[3] = { x[0], x[1], x[2] };
+
+	sample_sockcap(g, 1, f, NULL, NULL);
+	assert_int_equal(mesh_from_grid(m, g, (const double *const *)f), 0);
+}
+
+/* The mesh of a sock has one boundary, the row v = T, and is a disk: each other edge has two faces that
+ * pass it in opposite directions. */
+static void
+a_sock_is_a_disk(void **state)
+{
+	static int edge[M][M];
+	int f, k, a, b, edges = 0, border = 0;
+	Mesh m;
+
+	(void)state;
+	cap_mesh(&m);
+	for (f = 0; f < m.nf; f++)
+		for (k = 0; k < 3; k++)
+			assert_int_equal(edge[m.tri[3*f + k]][m.tri[3*f + (k+1)%3]]++, 0);
+	for (a = 0; a < M; a++)
+		for (b = 0; b < M; b++)
+			if (edge[a][b]) {
+				edges += a < b || !edge[b][a];
+				border += !edge[b][a];
+				assert_true(edge[b][a] || (a >= M - MU && b >= M - MU));
+			}
+	assert_int_equal(border, MU);
+	assert_int_equal(M - edges + m.nf, 1);
+	mesh_free(&m);
+}
+
+/* The normals of the hemisphere point to its centre, and its area is that of the sphere, to second
+ * order. */
+static void
+a_sock_is_oriented(void **state)
+{
+	double e[3], d[3], n[3], area;
+	int f, *t;
+	Mesh m;
+
+	(void)state;
+	cap_mesh(&m);
+	for (f = 0; f < m.nf; f++) {
+		t = m.tri + 3*f;
+		sub3(m.xyz + 3*t[1], m.xyz + 3*t[0], e);
+		sub3(m.xyz + 3*t[2], m.xyz + 3*t[0], d);
+		cross3(e, d, n);
+		assert_true(dot3(n, m.xyz + 3*t[0]) < 0);
+	}
+	area = mesh_area(&m)/(2*M_PI);
+	assert_true(area < 1 && area > 1 - 20./(MU*MU));
+	mesh_free(&m);
+}
+
+/* The pyramid of boxes finds every face of a sock, those across the fold included. */
+static void
+a_sock_is_found(void **state)
+{
+	const Chart g = { MU, MV, 0.45, &CHART_SOCK };
+	double x[3];
+	int f, c;
+	GridTree t;
+	Mesh m;
+
+	(void)state;
+	cap_mesh(&m);
+	assert_int_equal(gridtree_init(&t, &m, g), 0);
+	for (f = 0; f < m.nf; f++) {
+		for (c = 0; c < 3; c++)
+			x[c] = (m.xyz[3*m.tri[3*f]+c] + m.xyz[3*m.tri[3*f+1]+c] + m.xyz[3*m.tri[3*f+2]+c])/3;
+		assert_true(gridtree_distance2(&t, x, 1) < 1e-28);
+		assert_true(gridtree_cell2(&t, f/2, x) < 1e-28);
+	}
+	gridtree_free(&t);
+	mesh_free(&m);
+}
+
+/* Nodes that coincide beside the fold and the seam are parted, as inside. */
+static void
+nodes_of_a_sock_are_parted(void **state)
+{
+	const Chart g = { MU, MV, 0.45, &CHART_SOCK };
+	int c, left;
+	Mesh m;
+
+	(void)state;
+	cap_mesh(&m);
+	for (c = 0; c < 3; c++) {
+		m.xyz[3*5 + c] = m.xyz[3*(MU - 6) + c];         /* across the fold */
+		m.xyz[3*(3*MU) + c] = m.xyz[3*(4*MU - 1) + c];  /* across the seam */
+	}
+	assert_int_equal(gridmesh_part(&m, g, 0, &left), 0);
+	assert_int_equal(left, 0);
+	assert_int_equal(flat_faces(&m), 0);
+	mesh_free(&m);
+}
+
 int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(a_sock_is_a_disk),
+		cmocka_unit_test(a_sock_is_oriented),
+		cmocka_unit_test(a_sock_is_found),
+		cmocka_unit_test(nodes_of_a_sock_are_parted),
 		cmocka_unit_test(sound_grids_stay),
 		cmocka_unit_test(the_other_diagonal_helps),
 		cmocka_unit_test(coinciding_nodes_are_parted),

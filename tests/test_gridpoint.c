@@ -6,7 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../lib/grid/bicubic.h"
 #include "../lib/grid/gridpoint.h"
+#include "sockcap.h"
 
 typedef double Function(double u, double v, int c);
 
@@ -20,7 +22,7 @@ fill(Chart g, Function *f, double *phi[3])
 		phi[c] = malloc((size_t)g.nu*g.nv*sizeof *phi[c]);
 		for (j = 0; j < g.nv; j++)
 			for (i = 0; i < g.nu; i++)
-				phi[c][j*g.nu + i] = f(i*chart_h(g), j*chart_k(g), c);
+				phi[c][j*g.nu + i] = f(chart_u(g, i), chart_v(g, j), c);
 	}
 }
 
@@ -99,6 +101,47 @@ polynomials_are_exact(void **state)
 	assert_true(worst((Chart){ 3, 8, 0.8, &CHART_RECTANGLE }, quadratic, 13, 11) < 1e-14);
 	assert_true(worst((Chart){ 2, 2, 1.7, &CHART_RECTANGLE }, bilinear, 13, 11) < 1e-14);
 	assert_true(worst((Chart){ 2, 7, 1.7, &CHART_RECTANGLE }, bilinear, 13, 11) < 1e-14);
+}
+
+/* A cap on a sock: the chart is smooth across the seam and the fold, but for the cones. */
+static double
+cap(double u, double v, int c)
+{
+	SockPlane plane = sockplane(0.6);
+
+	return sockcap(&plane, 0.8, u, v).x[c];
+}
+
+/* Across the seam, the fold and at the boundary the order is the fourth, as inside. */
+static void
+fourth_order_on_the_sock(void **state)
+{
+	double e[3];
+	int k, n;
+
+	(void)state;
+	for (k = 0, n = 32; k < 3; k++, n *= 2)
+		e[k] = worst((Chart){ n, (int)(n*0.6 + 0.5), 0.6, &CHART_SOCK }, cap, 97, 61);
+	assert_true(e[0] < 2e-3 && e[0]/e[1] > 13 && e[1]/e[2] > 14);
+}
+
+/* A field that changes its sign under the turn about the cone (0,0) is continued so by bicubic_odd. */
+static void
+odd_fields_are_odd(void **state)
+{
+	const Chart g = { 16, 9, 0.5, &CHART_SOCK };
+	double f[16*9], most = 0;
+	int p, i;
+
+	(void)state;
+	for (p = 0; p < g.nu*g.nv; p++)
+		f[p] = sin(2*M_PI*chart_u(g, p%g.nu))*cosh(chart_v(g, p/g.nu));
+	for (i = 0; i <= 3*g.nu; i++) {
+		Bicubic at = bicubic_at(g, i/3. - 0.5, -0.5);   /* on the fold */
+
+		most = fmax(most, fabs(bicubic_odd(&at, f) - sin(2*M_PI*i/(3.*g.nu))));
+	}
+	assert_true(most < 2e-3);
 }
 
 static void
@@ -202,6 +245,8 @@ main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(polynomials_are_exact),
 		cmocka_unit_test(nodes_are_kept),
+		cmocka_unit_test(fourth_order_on_the_sock),
+		cmocka_unit_test(odd_fields_are_odd),
 		cmocka_unit_test(fourth_order),
 		cmocka_unit_test(slopes_agree),
 		cmocka_unit_test(meshes_are_moved),

@@ -47,7 +47,7 @@ smooth_shifts_are_inverted(void **state)
 	wave(.8, 0, du, dv);
 	inverse_of(.8, 0, x, y);
 	for (p = 0; p < NODES; p++) {
-		Bicubic at = bicubic_at(N, N, x[p], y[p]);
+		Bicubic at = bicubic_at((Chart){ N, N, 1, &CHART_RECTANGLE }, x[p], y[p]);
 
 		assert_true(fabs(x[p] + bicubic_value(&at, du) - p%N) < 1e-8);
 		assert_true(fabs(y[p] + bicubic_value(&at, dv) - p/N) < 1e-8);
@@ -67,7 +67,7 @@ folded_shifts_are_inverted_in_one_way(void **state)
 	inverse_of(4, 0, x, y);
 	inverse_of(4, 1, a, b);
 	for (p = 0; p < NODES; p++) {
-		Bicubic at = bicubic_at(N, N, x[p], y[p]);
+		Bicubic at = bicubic_at((Chart){ N, N, 1, &CHART_RECTANGLE }, x[p], y[p]);
 		int q = p%N*N + p/N;
 
 		folded += p%N < N - 1 && 1 + du[p+1] - du[p] < 0;

@@ -199,13 +199,14 @@ filtered(int basis)
 static int
 compared(int crossings)
 {
+	const Chart g = { NU, NV, 1, &CHART_RECTANGLE };
 	double phi[3][NODES], d;
 	long pairs;
 	Mesh m;
 	int e;
 
 	sheet(phi);
-	if ((e = mesh_from_grid(&m, NU, NV, phi[0], phi[1], phi[2])) != 0)
+	if ((e = mesh_from_grid(&m, g, (const double *[]){ phi[0], phi[1], phi[2] })) != 0)
 		return e;
 	e = crossings ? distance_crossings(&m, &pairs) : distance_hausdorff(&m, &mesh, 0.1, &d);
 	mesh_free(&m);

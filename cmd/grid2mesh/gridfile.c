@@ -62,10 +62,10 @@ mesh_of_grid(const CmdInput *in, const Lhg *g, const double *const phi[3], const
 {
 	Soup s = { .facts = NULL };
 	Mesh m;
-	int left = 0, e = mesh_from_grid(&m, g->nu, g->nv, phi[0], phi[1], phi[2]);
+	int left = 0, e = mesh_from_grid(&m, chart_of(g), phi);
 
 	if (!e)
-		e = gridmesh_part(&m, g->nu, g->nv, (format->can & MESHFORMAT_SINGLE) != 0, &left);
+		e = gridmesh_part(&m, chart_of(g), (format->can & MESHFORMAT_SINGLE) != 0, &left);
 	if (!e) {
 		s = (Soup){ .nv = m.nv, .nf = m.nf, .xyz = m.xyz, .idx = m.tri, .facts = facts_of(g) };
 		e = meshfile_write(&s, format, bytes, n);

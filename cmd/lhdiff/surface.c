@@ -3,6 +3,7 @@
 
 #include "../../lib/grid/gridmesh.h"
 #include "../../lib/mesh/disk.h"
+#include "../shared/chartof.h"
 #include "../shared/load.h"
 #include "../shared/range.h"
 #include "surface.h"
@@ -17,15 +18,15 @@ surfaces_open(Surfaces *s, const char *path)
 static int
 from_grid(CmdInput *in, Mesh *m)
 {
-	const double *x, *y, *z;
+	const double *phi[3];
 	Lhg g;
 
 	if (!cmd_read(in, &g))
 		return 0;
-	x = cmd_need(in, &g, "x", LHG_GRID);
-	y = cmd_need(in, &g, "y", LHG_GRID);
-	z = cmd_need(in, &g, "z", LHG_GRID);
-	if (mesh_from_grid(m, g.nu, g.nv, x, y, z))
+	phi[0] = cmd_need(in, &g, "x", LHG_GRID);
+	phi[1] = cmd_need(in, &g, "y", LHG_GRID);
+	phi[2] = cmd_need(in, &g, "z", LHG_GRID);
+	if (mesh_from_grid(m, chart_of(&g), phi))
 		die("%s: no memory for a mesh of %d x %d vertices", in->name, g.nu, g.nv);
 	range_positions(in->name, (size_t)m->nv, 3, (const double *[]){ m->xyz, m->xyz + 1, m->xyz + 2 });
 	lhg_free(&g);

@@ -23,8 +23,56 @@ sock_beyond(Chart g, int *i, int *j)
 	return out ? -1 : 1;
 }
 
-const ChartKind CHART_RECTANGLE = { "rectangle", .joined = { { 0, 0 }, { 0, 0 } }, .beyond = NULL };
-const ChartKind CHART_SOCK = { "sock", .joined = { { 1, 1 }, { 1, 0 } }, .beyond = sock_beyond };
+/* Cell n of the rows, of which each has `across`. */
+static void
+row_cell(Chart g, int n, int across, int corner[4])
+{
+	int i = n%across, j = n/across, east = (i + 1)%g.nu;
+
+	corner[0] = j*g.nu + i;
+	corner[1] = j*g.nu + east;
+	corner[2] = (j + 1)*g.nu + east;
+	corner[3] = (j + 1)*g.nu + i;
+}
+
+static int
+rectangle_cells(Chart g)
+{
+	return (g.nu - 1)*(g.nv - 1);
+}
+
+static void
+rectangle_cell(Chart g, int n, int corner[4])
+{
+	row_cell(g, n, g.nu - 1, corner);
+}
+
+/* The row j = -1 of cells is the fold: column i of it is column nu-2-i, and of columns nu/2-1 and nu-1
+ * only an edge remains. */
+static int
+sock_cells(Chart g)
+{
+	return g.nu*(g.nv - 1) + g.nu/2 - 1;
+}
+
+static void
+sock_cell(Chart g, int n, int corner[4])
+{
+	int i = n - g.nu*(g.nv - 1);
+
+	if (i < 0) {
+		row_cell(g, n, g.nu, corner);
+		return;
+	}
+	corner[0] = g.nu - 1 - i;
+	corner[1] = g.nu - 2 - i;
+	corner[2] = i + 1;
+	corner[3] = i;
+}
+
+const ChartKind CHART_RECTANGLE = { "rectangle", .cells = rectangle_cells, .cell = rectangle_cell };
+const ChartKind CHART_SOCK = { "sock", .joined = { { 1, 1 }, { 1, 0 } }, .beyond = sock_beyond,
+    .cells = sock_cells, .cell = sock_cell };
 
 const ChartKind *
 chart_kind(const char *name)

@@ -29,6 +29,12 @@ typedef struct ChartKind {
 	 * that is glued to it.  Returns 1, or -1 if the directions of u and v are both reversed
 	 * there, so that odd fields such as phi_u change their sign.  NULL if no side is joined. */
 	int (*beyond)(Chart g, int *i, int *j);
+
+	/* The number of cells, the quadrilaterals that make a surface of the nodes: those of a row
+	 * side by side, row after row, then those across a fold.  And the nodes of cell number n,
+	 * anticlockwise in (u,v).  NULL for a chart of which no surface is made. */
+	int  (*cells)(Chart g);
+	void (*cell)(Chart g, int n, int corner[4]);
 } ChartKind;
 
 struct Chart {

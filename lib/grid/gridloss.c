@@ -7,11 +7,21 @@
 #include "gridtree.h"
 
 static int
-cell_of(double x, double step, int cells)
+limit(double i, int n)
 {
-	double i = floor(x/step);
+	return i > 0 ? i < n - 1 ? (int)i : n - 1 : 0;
+}
 
-	return i > 0 ? i < cells - 1 ? (int)i : cells - 1 : 0;
+/* The number of the cell, of those in a row side by side, that contains or is next to (u,v). */
+static int
+cell_of(Chart g, double u, double v)
+{
+	int across = g.kind->joined[0][1] ? g.nu : g.nu - 1;
+	double i = floor(u/chart_h(g) - 0.5*g.kind->joined[0][0]);
+
+	if (i < 0 && g.kind->joined[0][0])
+		i = across - 1;
+	return limit(floor(v/chart_k(g) - 0.5*g.kind->joined[1][0]), g.nv - 1)*across + limit(i, across);
 }
 
 /* Sets d2 to the squared distance of each vertex from the cell at its (u,v), an upper bound of its
@@ -19,13 +29,11 @@ cell_of(double x, double step, int cells)
 static int
 bound(const GridTree *t, const Mesh *m, const double *u, const double *v, Chart g, double *d2)
 {
-	const double h = chart_h(g), k = chart_k(g);
 	int p, most = 0;
 
 	#pragma omp parallel for schedule(static)
 	for (p = 0; p < m->nv; p++)
-		d2[p] = gridtree_cell2(t, cell_of(u[p], h, t->ncu), cell_of(v[p], k, t->ncv),
-		    m->xyz + 3*(size_t)p);
+		d2[p] = gridtree_cell2(t, cell_of(g, u[p], v[p]), m->xyz + 3*(size_t)p);
 	for (p = 1; p < m->nv; p++)
 		most = d2[p] > d2[most] ? p : most;
 	return most;
@@ -57,9 +65,9 @@ gridloss(const Mesh *m, const double *u, const double *v, Chart g, double *const
 	double *d2 = malloc(m->nv*sizeof *d2);
 	Mesh grid = { 0, 0, NULL, NULL };
 	GridTree t = { .levels = 0 };
-	int e = d2 ? mesh_from_grid(&grid, g.nu, g.nv, phi[0], phi[1], phi[2]) : MESH_ENOMEM;
+	int e = d2 ? mesh_from_grid(&grid, g, (const double *const *)phi) : MESH_ENOMEM;
 
-	if (!e && !(e = gridtree_init(&t, &grid, g.nu, g.nv))) {
+	if (!e && !(e = gridtree_init(&t, &grid, g))) {
 		loss->area = mesh_area(m);
 		loss->kept = mesh_area(&grid)/loss->area;
 		find_farthest(&t, m, d2, bound(&t, m, u, v, g, d2), loss);
@@ -75,7 +83,7 @@ int
 gridloss_area(Chart g, double *const phi[3], double *area)
 {
 	Mesh grid;
-	int e = mesh_from_grid(&grid, g.nu, g.nv, phi[0], phi[1], phi[2]);
+	int e = mesh_from_grid(&grid, g, (const double *const *)phi);
 
 	if (!e) {
 		*area = mesh_area(&grid);

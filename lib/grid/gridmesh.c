@@ -25,10 +25,10 @@ flat(const Mesh *m, const int tri[6])
 	    + !polygon_has_area(x + 3*(size_t)tri[3], x + 3*(size_t)tri[4], x + 3*(size_t)tri[5]);
 }
 
-int
-gridmesh_cell(const Mesh *m, int p, int nu, int tri[6])
+/* Splits the cell a b c d into tri.  Returns how many of its triangles have no area. */
+static int
+split(const Mesh *m, int a, int b, int c, int d, int tri[6])
 {
-	const int a = p, b = p+1, c = p+1+nu, d = p+nu;
 	const int ac[6] = { a, b, c, a, c, d }, bd[6] = { a, b, d, b, c, d };
 	const int *shorter = dist2(m, b, d) < dist2(m, a, c) ? bd : ac, *longer = shorter == ac ? bd : ac;
 	int none = flat(m, shorter), other = none ? flat(m, longer) : 0;
@@ -38,27 +38,33 @@ gridmesh_cell(const Mesh *m, int p, int nu, int tri[6])
 }
 
 int
-mesh_from_grid(Mesh *m, int nu, int nv, const double *x, const double *y, const double *z)
+gridmesh_cell(const Mesh *m, Chart g, int n, int tri[6])
 {
-	int i, j, p;
+	int corner[4];
+
+	g.kind->cell(g, n, corner);
+	return split(m, corner[0], corner[1], corner[2], corner[3], tri);
+}
+
+int
+mesh_from_grid(Mesh *m, Chart g, const double *const phi[3])
+{
+	int c, n, p;
 
 	memset(m, 0, sizeof *m);
-	if (nu > INT_MAX/6/nv)
+	if (g.nu > INT_MAX/6/g.nv)
 		return MESH_ENOMEM;
-	m->nv = nu*nv;
+	m->nv = g.nu*g.nv;
 	m->xyz = malloc((size_t)m->nv*3*sizeof *m->xyz);
 	m->tri = malloc((size_t)m->nv*6*sizeof *m->tri);
 	if (!m->xyz || !m->tri) {
 		mesh_free(m);
 		return MESH_ENOMEM;
 	}
-	for (p = 0; p < m->nv; p++) {
-		m->xyz[3*(size_t)p] = x[p];
-		m->xyz[3*(size_t)p+1] = y[p];
-		m->xyz[3*(size_t)p+2] = z[p];
-	}
-	for (j = 0; j < nv-1; j++)
-		for (i = 0; i < nu-1; i++, m->nf += 2)
-			gridmesh_cell(m, j*nu + i, nu, m->tri + 3*(size_t)m->nf);
+	for (p = 0; p < m->nv; p++)
+		for (c = 0; c < 3; c++)
+			m->xyz[3*(size_t)p+c] = phi[c][p];
+	for (n = g.kind->cells(g); m->nf < 2*n; m->nf += 2)
+		gridmesh_cell(m, g, m->nf/2, m->tri + 3*(size_t)m->nf);
 	return 0;
 }

@@ -10,7 +10,8 @@ static const double SLACK = 1e-6;       /* (u,v) may lie outside by this fractio
 void
 gridpoint(Chart g, int n, const double *const f[], double u, double v, double *x)
 {
-	const Bicubic b = bicubic_at(g.nu, g.nv, u*(g.nu - 1), v/g.T*(g.nv - 1));
+	const Bicubic b = bicubic_at(g, u*chart_steps(g, 0) - 0.5*g.kind->joined[0][0],
+	    v/g.T*chart_steps(g, 1) - 0.5*g.kind->joined[1][0]);
 	int c;
 
 	for (c = 0; c < n; c++)

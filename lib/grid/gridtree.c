@@ -48,9 +48,9 @@ triangle2(const double *a, const double *b, const double *c, const double x[3])
 }
 
 double
-gridtree_cell2(const GridTree *t, int i, int j, const double x[3])
+gridtree_cell2(const GridTree *t, int n, const double x[3])
 {
-	const int *v = t->m->tri + 6*((size_t)j*t->ncu + i);
+	const int *v = t->m->tri + 6*(size_t)n;
 	double d[2];
 	int k;
 
@@ -78,18 +78,29 @@ widen(double b[6], const double lo[3], const double hi[3])
 	}
 }
 
-/* Enlarges the box b so that it contains the nodes of block (i,j) of cells. */
+/* The number of cells in row j from i on, at most BLOCK. */
+static int
+cells_from(const GridTree *t, int i, int j)
+{
+	int row = t->cells - j*t->ncu < t->ncu ? t->cells - j*t->ncu : t->ncu;
+
+	return row - i < BLOCK ? row - i : BLOCK;
+}
+
+/* Enlarges the box b so that it contains block (i,j) of cells. */
 static void
 block_box(const GridTree *t, int i, int j, double b[6])
 {
-	int p, q;
+	int p, q, k;
 
-	for (q = BLOCK*j; q <= BLOCK*(j+1) && q <= t->ncv; q++)
-		for (p = BLOCK*i; p <= BLOCK*(i+1) && p <= t->ncu; p++) {
-			const double *x = t->m->xyz + 3*((size_t)q*(t->ncu + 1) + p);
+	for (q = BLOCK*j; q < BLOCK*(j+1) && q < t->ncv; q++)
+		for (p = 0; p < cells_from(t, BLOCK*i, q); p++)
+			for (k = 0; k < 6; k++) {
+				int node = t->m->tri[6*((size_t)q*t->ncu + BLOCK*i + p) + k];
+				const double *x = t->m->xyz + 3*(size_t)node;
 
-			widen(b, x, x);
-		}
+				widen(b, x, x);
+			}
 }
 
 static void
@@ -114,11 +125,12 @@ fill(GridTree *t, int level)
 }
 
 int
-gridtree_init(GridTree *t, const Mesh *m, int nu, int nv)
+gridtree_init(GridTree *t, const Mesh *m, Chart g)
 {
-	int n, level, bu = (nu - 2)/BLOCK + 1, bv = (nv - 2)/BLOCK + 1;
+	int cells = m->nf/2, ncu = g.kind->joined[0][1] ? g.nu : g.nu - 1, ncv = (cells + ncu - 1)/ncu;
+	int n, level, bu = (ncu - 1)/BLOCK + 1, bv = (ncv - 1)/BLOCK + 1;
 
-	*t = (GridTree){ .m = m, .ncu = nu - 1, .ncv = nv - 1, .levels = 1 };
+	*t = (GridTree){ .m = m, .ncu = ncu, .ncv = ncv, .cells = cells, .levels = 1 };
 	for (n = bu > bv ? bu : bv; n > 1; n = (n + 1)/2)
 		t->levels++;
 	for (level = t->levels - 1; level >= 0; level--) {
@@ -164,8 +176,8 @@ search_block(const GridTree *t, int i, int j, const double x[3], double best)
 	int p, q;
 
 	for (q = BLOCK*j; q < BLOCK*(j+1) && q < t->ncv; q++)
-		for (p = BLOCK*i; p < BLOCK*(i+1) && p < t->ncu; p++)
-			best = fmin(best, gridtree_cell2(t, p, q, x));
+		for (p = 0; p < cells_from(t, BLOCK*i, q); p++)
+			best = fmin(best, gridtree_cell2(t, q*t->ncu + BLOCK*i + p, x));
 	return best;
 }
 

@@ -102,7 +102,7 @@ carry_points(Chart g, Shift *s, int n, double *pu, double *pv)
 	#pragma omp parallel for schedule(static)
 	for (i = 0; i < n; i++) {
 		double x = fmin(fmax(pu[i]*mu, 0), mu), y = fmin(fmax(pv[i]/g.T*mv, 0), mv);
-		Bicubic at = bicubic_at(g.nu, g.nv, x, y);
+		Bicubic at = bicubic_at(g, x, y);
 		double a = keep_off(x + bicubic_value(&at, s->du), x + bilinear(g, s->du, x, y), mu);
 		double b = keep_off(y + bicubic_value(&at, s->dv), y + bilinear(g, s->dv, x, y), mv);
 

@@ -25,7 +25,7 @@ iterate(Chart g, const Shift *s, int i, int j, double *x, double *y)
 	int k;
 
 	for (k = 0; k < MOST_STEPS && step > NEAR; k++) {
-		Bicubic at = bicubic_at(g.nu, g.nv, nx, ny);
+		Bicubic at = bicubic_at(g, nx, ny);
 
 		ox = nx, oy = ny;
 		nx = clamp(i - bicubic_value(&at, s->du), g.nu - 1);

@@ -106,7 +106,7 @@ resample(const Sampler *sampler, const Grid *a, const Shift *s, Grid *b)
 		return POLISH_ENOMEM;
 	#pragma omp parallel for schedule(static)
 	for (p = 0; p < nu*nv; p++) {
-		Bicubic at = bicubic_at(nu, nv, b->x[p], b->y[p]);
+		Bicubic at = bicubic_at(a->g, b->x[p], b->y[p]);
 
 		b->x[p] = fmin(fmax(bicubic_value(&at, a->x), 0), 1);
 		b->y[p] = fmin(fmax(bicubic_value(&at, a->y), 0), sampler->l.T);
