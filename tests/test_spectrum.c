@@ -9,7 +9,14 @@
 enum { NU = 30, NV = 21, N = NU*NV };
 
 static const Spectrum DCT = { SPECTRUM_DCT, { NU, NV, 0.7, &CHART_RECTANGLE } },
-	DFT = { SPECTRUM_DFT, { NU, NV, 0.7, &CHART_RECTANGLE } };
+	DFT = { SPECTRUM_DFT, { NU, NV, 0.7, &CHART_RECTANGLE } },
+	FOLD = { SPECTRUM_DCT, { NU, NV, 0.7, &CHART_SOCK } };
+
+static Spectrum
+basis(int b)
+{
+	return b == 0 ? DCT : b == 1 ? DFT : FOLD;
+}
 
 static void
 random_field(double *f, unsigned long long seed)
@@ -34,10 +41,10 @@ inverse_undoes_forward(void **state)
 	int b;
 
 	(void)state;
-	for (b = 0; b < 2; b++) {
+	for (b = 0; b < 3; b++) {
 		random_field(f, 1);
-		assert_int_equal(spectrum_forward(b ? DFT : DCT, f, C), 0);
-		assert_int_equal(spectrum_inverse(b ? DFT : DCT, C, g), 0);
+		assert_int_equal(spectrum_forward(basis(b), f, C), 0);
+		assert_int_equal(spectrum_inverse(basis(b), C, g), 0);
 		assert_true(largest(N, f, g) < 1e-14);
 	}
 }
@@ -53,16 +60,19 @@ parseval(void **state)
 	int i, q, p, cols;
 
 	(void)state;
-	for (i = 0; i < 4; i++) {
+	for (i = 0; i < 5; i++) {
 		Spectrum s = { i%2 ? SPECTRUM_DFT : SPECTRUM_DCT, { i < 2 ? NU : NV, i < 2 ? NV : NU, 1,
 			&CHART_RECTANGLE } };
+
+		if (i == 4)
+			s = FOLD;
 
 		random_field(f, 2);
 		random_field(h, 3);
 		spectrum_forward(s, f, C);
 		spectrum_forward(s, h, D);
 		cols = spectrum_columns(s);
-		for (left = q = 0; q < cols*s.g.nv; q++)
+		for (left = q = 0; q < (int)spectrum_size(s); q++)
 			left += spectrum_weight(s, q%cols)*creal(C[q]*conj(D[q]));
 		for (right = sum = p = 0; p < N; p++) {
 			right += f[p]*h[p]*N;
@@ -277,6 +287,39 @@ log_is_free_of_the_unit(void **state)
 
 /* With logarithms it is d, log f less its border part, that is filtered, and percent are of the root
  * mean square of d minus its mean. */
+/* On the sock each wave that is the same on both sheets is one coefficient, at its numbers and with its
+ * wave number. */
+static void
+a_wave_of_the_sock_is_one_coefficient(void **state)
+{
+	static const int number[][2] = { { 0, 0 }, { 3, 2 }, { 3, 5 }, { 0, 4 }, { NU/2, 1 }, { 7, 2*NV - 1 } };
+	double f[N], h = chart_h(FOLD.g), k = chart_k(FOLD.g), x, y, square;
+	double complex C[N];
+	int t, p, q, m, n, found;
+
+	(void)state;
+	for (t = 0; t < 6; t++) {
+		for (square = p = 0; p < N; p++) {
+			x = 2*M_PI*number[t][0]*(p%NU + .5)*h;
+			y = M_PI*number[t][1]*(p/NU + NV + .5)/(2*NV);
+			f[p] = (number[t][1]%2 ? sin(x) : cos(x))*cos(y);
+			square += f[p]*f[p];
+		}
+		spectrum_forward(FOLD, f, C);
+		for (found = q = 0; q < N; q++) {
+			spectrum_numbers(FOLD, q, &m, &n);
+			if (m == number[t][0] && n == number[t][1]) {
+				assert_true(fabs(creal(C[q]) - sqrt(square*N)) < 1e-9);
+				assert_true(fabs(spectrum_wave(FOLD, q) - hypot(m, n/(4*NV*k))) < 1e-12);
+				found++;
+			} else
+				assert_true(cabs(C[q]) < 1e-9);
+		}
+		assert_int_equal(found, 1);
+	}
+	assert_false(spectrum_exists((Spectrum){ SPECTRUM_DFT, FOLD.g }));
+}
+
 static void
 log_keeps_the_border_part(void **state)
 {
@@ -319,12 +362,12 @@ filter_projects(void **state)
 	int b, p;
 
 	(void)state;
-	for (b = 0; b < 2; b++) {
+	for (b = 0; b < 3; b++) {
 		random_field(f, 5);
 		memcpy(g, f, sizeof f);
-		filter(b ? DFT : DCT, FILTER_KEEP, 200, 0, g, &kept);
+		filter(basis(b), FILTER_KEEP, 200, 0, g, &kept);
 		memcpy(h, g, sizeof g);
-		filter(b ? DFT : DCT, FILTER_KEEP, kept, 0, h, &again);
+		filter(basis(b), FILTER_KEEP, kept, 0, h, &again);
 		assert_int_equal(kept, again);
 		assert_true(largest(N, g, h) < 1e-13);
 		for (dot = p = 0; p < N; p++)
@@ -384,6 +427,7 @@ main(void)
 		cmocka_unit_test(inverse_undoes_forward),
 		cmocka_unit_test(parseval),
 		cmocka_unit_test(a_wave_is_one_coefficient_or_a_pair),
+		cmocka_unit_test(a_wave_of_the_sock_is_one_coefficient),
 		cmocka_unit_test(percent_of_the_root_mean_square),
 		cmocka_unit_test(raw_bound),
 		cmocka_unit_test(keep_counts),

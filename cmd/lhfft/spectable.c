@@ -32,17 +32,14 @@ spectable_write(const char *file, const CmdInput *in, const Lhg *g, const Scales
 	Spectrum space = { s->basis, chart_of(g) };
 	double *f = scales_curvature(s, in, g), *H = spectrum_of(space, in, scales_name(s), f, 0);
 	double *lambda = spectrum_of(space, in, "lambda", cmd_need(in, g, "lambda", LHG_GRID), s->log);
-	int m, n, columns = spectrum_columns(space);
+	int m, n;
 	CmdText t;
 	size_t q;
 
 	cmd_text_open(&t);
 	fprintf(t.f, "m\tn\twave\tlambda\t%s\n", scales_name(s));
 	for (q = 0; q < spectrum_size(space); q++) {
-		m = q%columns;
-		n = q/columns;
-		if (s->basis == SPECTRUM_DFT && 2*n > g->nv)
-			n -= g->nv;
+		spectrum_numbers(space, q, &m, &n);
 		fprintf(t.f, "%d\t%d\t%.6g\t%.6g\t%.6g\n", m, n, spectrum_wave(space, q), lambda[q], H[q]);
 	}
 	cmd_text_close(&t);

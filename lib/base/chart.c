@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "chart.h"
+#include "sockplane.h"
 
 static int
 wrap(int i, int n)
@@ -70,9 +71,20 @@ sock_cell(Chart g, int n, int corner[4])
 	corner[3] = i;
 }
 
+/* A hemisphere. */
+static void
+sock_round(Chart g, double *lambda0)
+{
+	SockPlane plane = sockplane(g.T);
+	int p;
+
+	for (p = 0; p < g.nu*g.nv; p++)
+		lambda0[p] = sockplane_round(&plane, chart_u(g, p%g.nu), chart_v(g, p/g.nu));
+}
+
 const ChartKind CHART_RECTANGLE = { "rectangle", .cells = rectangle_cells, .cell = rectangle_cell };
 const ChartKind CHART_SOCK = { "sock", .joined = { { 1, 1 }, { 1, 0 } }, .beyond = sock_beyond,
-    .cells = sock_cells, .cell = sock_cell };
+    .cells = sock_cells, .cell = sock_cell, .round = sock_round, .cones = 2, .cone = { { 0, 0 }, { 0.5, 0 } } };
 
 const ChartKind *
 chart_kind(const char *name)

@@ -35,6 +35,13 @@ typedef struct ChartKind {
 	 * anticlockwise in (u,v).  NULL for a chart of which no surface is made. */
 	int  (*cells)(Chart g);
 	void (*cell)(Chart g, int n, int corner[4]);
+
+	/* The conformal factor of a round surface on the chart, [nv][nu].  lambda goes to 0 at a cone
+	 * as it does; lambda over it does not.  NULL: 1 everywhere. */
+	void (*round)(Chart g, double *lambda0);
+
+	int    cones;           /* cone points of angle pi, at (cone[0][0],cone[0][1]), .. */
+	double cone[2][2];
 } ChartKind;
 
 struct Chart {

@@ -1,14 +1,26 @@
 /* spectrum.h - a grid field as a sum of waves.
  *
+ * On the rectangle:
+ *
  *   dct  C_mn = c_m c_n sum f_ij cos(pi m (2i+1)/(2 nu)) cos(pi n (2j+1)/(2 nv)),
  *        c_0 = 1, other c = sqrt 2, 0 <= m < nu, 0 <= n < nv: f is extended evenly across
  *        the border of the rectangle, without a jump
  *   dft  C_mn = sum f_ij exp(-2 pi i (m i/nu + n j/nv)): f is extended
  *        periodically; it is real, so the columns 0 <= m <= nu/2 suffice    (16)-(19)
  *
- * Both are computed by FFTW.  In both, C_00 = sum f, and the sum of |C|^2 over all nu nv
+ * On the sock, whose nodes v >= 0 and their images v < 0 are 2 nv rows, with x = 2 pi u and y the
+ * distance from the row v = -T in rows, plus 1/2:
+ *
+ *   dct  C_mn = c_mn sum f_ij cos(m x) cos(pi n y/(2 nv)), n even, 0 <= m < nu/2
+ *        C_mn = c_mn sum f_ij sin(m x) cos(pi n y/(2 nv)), n odd,  0 < m <= nu/2
+ *
+ *        with 0 <= n < 2 nv; c_mn is 1 for m = n = 0, 2 for 0 < m < nu/2 and n > 0, else sqrt 2.
+ *        f is extended evenly across the boundary.  These are all waves with f(-u,-v) = f(u,v)
+ *
+ * All are computed by FFTW.  In each, C_00 = sum f, and the sum of |C|^2 over all nu nv
  * coefficients is nu nv sum f^2.  So a bound on |C| has the same meaning in both
- * (doc/mathematics.md 5.1).  C is stored as [nv][columns]; in the dct its imaginary parts are 0.
+ * (doc/mathematics.md 5.1).  C is stored as [rows][columns], with rows = nv, on the sock 2 nv; in the
+ * dct its imaginary parts are 0.
  */
 #ifndef SPECTRUM_H
 #define SPECTRUM_H
@@ -28,11 +40,17 @@ typedef struct Spectrum {
 	Chart         g;
 } Spectrum;
 
-/* Number of columns of C: nu, or nu/2 + 1. */
+/* Whether the chart has this basis: the sock has no dft. */
+int spectrum_exists(Spectrum s);
+
+/* Number of columns of C: nu, or nu/2 + 1; on the sock nu/2. */
 int spectrum_columns(Spectrum s);
 
-/* Number of coefficients in C: columns times nv. */
+/* Number of coefficients in C: rows times columns. */
 size_t spectrum_size(Spectrum s);
+
+/* The numbers m and n of coefficient q of C; in the dft n - nv in place of n where that is nearer to 0. */
+void spectrum_numbers(Spectrum s, size_t q, int *m, int *n);
 
 /* How many of the nu nv coefficients an entry in column m of C represents: 2 where C holds only one
  * coefficient of a conjugate pair of the dft, else 1. */
@@ -41,7 +59,8 @@ int spectrum_weight(Spectrum s, int m);
 /* The wave number of coefficient q of C, in cycles per unit of u along the direction of the wave:
  *
  *   dct  |( m/(2 nu h), n/(2 nv k) )|
- *   dft  |( m/(nu h), n/(nv k) )|, with n - nv in place of n where that is nearer to 0 */
+ *   dft  |( m/(nu h), n/(nv k) )|
+ *   sock |( m, n/(4 nv k) )| */
 double spectrum_wave(Spectrum s, size_t q);
 
 /* The transform of f[nv][nu] and its inverse.  Both return 0 or SPECTRUM_ENOMEM. */
