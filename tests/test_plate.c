@@ -5,6 +5,7 @@
 #include <omp.h>
 
 #include "../lib/base/field.h"
+#include "../lib/grid/stencil.h"
 #include "../lib/poisson/plate.h"
 #include "surfaces.h"
 
@@ -159,6 +160,63 @@ free_plate_inverts(void **state)
 	}
 }
 
+/* y = -Delta x on the sock g; beyond the boundary x is continued by reflection (free), or y is 0 there. */
+static void
+minus_laplacian_sock(Chart g, int free, const double *x, double *y)
+{
+	double h2 = chart_h(g)*chart_h(g), k2 = chart_k(g)*chart_k(g);
+	int i, j, p, sign = 1;
+
+	for (p = j = 0; j < g.nv; j++)
+		for (i = 0; i < g.nu; i++, p++) {
+			if (j == g.nv - 1 && !free) {
+				y[p] = 0;
+				continue;
+			}
+			y[p] = (2*x[p] - x[stencil_node(g, i-1, j, &sign)] - x[stencil_node(g, i+1, j, &sign)])/h2
+			    + (2*x[p] - x[stencil_node(g, i, j-1, &sign)] - x[mirrored(j+1, g.nv)*g.nu + i])/k2;
+		}
+}
+
+static void
+plate_inverts_on_the_sock(void **state)
+{
+	static const Chart charts[] = { { 18, 13, 0.7, &CHART_SOCK }, { 12, 19, 1.6, &CHART_SOCK },
+		{ 4, 3, 1, &CHART_SOCK }, { 26, 4, .1, &CHART_SOCK } };
+	double x[3*234], z[3*234], y[234], yy[234], least, weight;
+	unsigned long long seed = 7;
+	int q, c, p, n, free, last;
+	Plate plate;
+
+	(void)state;
+	for (q = 0; q < 8; q++) {
+		Chart g = charts[q/2];
+
+		free = q%2;
+		n = g.nu*g.nv;
+		least = fmin((2 - 2*cos(2*M_PI/g.nu))/(chart_h(g)*chart_h(g)),
+		    (2 - 2*cos(2*M_PI/(2*g.nv - 1)))/(chart_k(g)*chart_k(g)));
+		for (p = 0; p < 3*n; p++)
+			z[p] = x[p] = !free && p%n >= n - g.nu ? 0 : noise(&seed);
+		assert_int_equal(plate_init(&plate, g, free), 0);
+		plate_solve(&plate, 0.3, 50, 0, z);
+		for (c = 0; c < 3; c++) {
+			minus_laplacian_sock(g, free, z + c*n, y);
+			minus_laplacian_sock(g, free, y, yy);
+			for (p = 0; p < n; p++) {
+				last = p >= n - g.nu;
+				weight = last ? 0.5 : 1;
+				if (!free && last)
+					assert_true(z[c*n+p] == 0);
+				else
+					assert_true(fabs((free ? weight : 1)*(0.3*yy[p] + 50*y[p] +
+					    (free ? 50*least*z[c*n+p] : 0)) - x[c*n+p]) < 1e-8);
+			}
+		}
+		plate_free(&plate);
+	}
+}
+
 static void
 threads_change_no_bit(void **state)
 {
@@ -196,6 +254,7 @@ main(void)
 		cmocka_unit_test(transforms_are_sums),
 		cmocka_unit_test(plate_inverts),
 		cmocka_unit_test(free_plate_inverts),
+		cmocka_unit_test(plate_inverts_on_the_sock),
 		cmocka_unit_test(threads_change_no_bit),
 	};
 

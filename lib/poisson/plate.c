@@ -1,4 +1,5 @@
-/* plate.c - sine or cosine transform, division by the eigenvalues of P, inverse transform.
+/* plate.c - sine or cosine transform, division by the eigenvalues of P, inverse transform.  Here the
+ * rectangle; the sock is in platefold.c.
  *
  * A two-dimensional transform consists of one-dimensional ones, first of the rows, then of the
  * columns.  The rows of all three fields are divided among the threads, and no FFTW plan depends
@@ -11,20 +12,18 @@
 
 #include <omp.h>
 
-#include "plate.h"
+#include "platepriv.h"
 
 enum { WIDTH = 8 };             /* columns copied at a time: a row of them is one cache line */
 
-/* Eigenvalues of the negative second difference on N steps of length `step`, for the wave numbers
- * first .. first + n-1. */
-static double *
-eigenvalues(int n, int first, int N, double step)
+double *
+plate_eigenvalues(int n, int first, double period, double step)
 {
 	double *e = malloc(n*sizeof *e);
 	int k;
 
 	for (k = 0; e && k < n; k++)
-		e[k] = (2 - 2*cos(M_PI*(k + first)/N))/(step*step);
+		e[k] = (2 - 2*cos(2*M_PI*(k + first)/period))/(step*step);
 	return e;
 }
 
@@ -33,19 +32,6 @@ static int
 unknown(const Plate *p, int n)
 {
 	return p->free ? n : n - 2;
-}
-
-void
-plate_free(Plate *p)
-{
-	int k;
-
-	for (k = 0; k < 2; k++) {
-		transform_free(&p->transform[k]);
-		free(p->eigenvalue[k]);
-	}
-	fftw_free(p->work);
-	memset(p, 0, sizeof *p);
 }
 
 /* The workspace of a thread has WIDTH columns, then the workspace of a transform.  The sizes of
@@ -64,23 +50,19 @@ room(const Plate *p)
 	return columns_room(p) + ((u > v ? u : v) + 7)/8*8;
 }
 
-int
-plate_init(Plate *p, Chart g, int free)
+static int
+rectangle_init(Plate *p)
 {
-	int e, first = free ? 0 : 1, nodes[2] = { g.nu, g.nv }, k;
-	double step[2] = { chart_h(g), chart_k(g) };
+	int e, first = p->free ? 0 : 1, nodes[2] = { p->g.nu, p->g.nv }, k;
+	double step[2] = { chart_h(p->g), chart_k(p->g) };
 
-	*p = (Plate){ .g = g, .free = free };
 	for (e = k = 0; !e && k < 2; k++) {
-		p->eigenvalue[k] = eigenvalues(unknown(p, nodes[k]), first, nodes[k] - 1, step[k]);
+		p->eigenvalue[k] = plate_eigenvalues(unknown(p, nodes[k]), first, 2*(nodes[k] - 1.0), step[k]);
 		e = transform_init(&p->transform[k], nodes[k] - 1);
 	}
 	if (!e)
 		p->work = fftw_alloc_real(omp_get_max_threads()*room(p));
-	if (p->work && p->eigenvalue[0] && p->eigenvalue[1])
-		return 0;
-	plate_free(p);
-	return PLATE_ENOMEM;
+	return e;
 }
 
 static void
@@ -153,8 +135,8 @@ divide_by_weights(Chart g, double *z)
 	}
 }
 
-void
-plate_solve(const Plate *p, double a, double b, double c, double *z)
+static void
+rectangle_solve(const Plate *p, double a, double b, double c, double *z)
 {
 	int unknowns = unknown(p, p->g.nu), groups = (unknowns + WIDTH - 1)/WIDTH;
 	size_t n = (size_t)p->g.nu*p->g.nv, first = p->free ? 0 : p->g.nu + 1;
@@ -176,4 +158,58 @@ plate_solve(const Plate *p, double a, double b, double c, double *z)
 		}
 		transform_rows(p, z, column + columns_room(p));
 	}
+}
+
+/* ---- any chart ------------------------------------------------------- */
+
+static const struct {
+	const ChartKind *kind;
+	int  (*init)(Plate *p);
+	void (*solve)(const Plate *p, double a, double b, double c, double *z);
+} known[] = {
+	{ &CHART_RECTANGLE, rectangle_init, rectangle_solve },
+	{ &CHART_SOCK, platefold_init, platefold_solve },
+};
+
+static int
+index_of(const ChartKind *kind)
+{
+	int i = 0;
+
+	while (known[i].kind != kind)
+		i++;
+	return i;
+}
+
+void
+plate_free(Plate *p)
+{
+	int k;
+
+	for (k = 0; k < 2; k++) {
+		transform_free(&p->transform[k]);
+		free(p->eigenvalue[k]);
+	}
+	if (p->plan[0])
+		fftw_destroy_plan(p->plan[0]);
+	if (p->plan[1])
+		fftw_destroy_plan(p->plan[1]);
+	fftw_free(p->work);
+	memset(p, 0, sizeof *p);
+}
+
+int
+plate_init(Plate *p, Chart g, int free)
+{
+	*p = (Plate){ .g = g, .free = free };
+	if (known[index_of(g.kind)].init(p) == 0 && p->work && p->eigenvalue[0] && p->eigenvalue[1])
+		return 0;
+	plate_free(p);
+	return PLATE_ENOMEM;
+}
+
+void
+plate_solve(const Plate *p, double a, double b, double c, double *z)
+{
+	known[index_of(p->g.kind)].solve(p, a, b, c, z);
 }

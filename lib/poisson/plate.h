@@ -7,8 +7,8 @@
  *
  *   P = W (a Delta^2 - b Delta + c + c0)   with the fields mirrored at the border.
  *
- * The eigenvectors are products of cosines.  W is diagonal: 1/4 in the corners, 1/2 on the rest
- * of the border, 1 inside; it makes P symmetric.  c0 is b times the smallest positive eigenvalue of
+ * The eigenvectors are products of cosines, along u on the sock of cosines and sines.  W is diagonal:
+ * 1/4 in the corners, 1/2 on the rest of the border, 1 inside; it makes P symmetric.  c0 is b times the smallest positive eigenvalue of
  * -Delta; it makes P positive definite.  Constants are then treated like the longest waves, which
  * is harmless, since the misfit does not change when a constant is added to a field.
  */
@@ -24,11 +24,13 @@ typedef struct Plate {
 	Chart     g;
 	double   *eigenvalue[2];        /* of the negative second differences along u and v */
 	int       free;                 /* 1: free border, cosines; 0: held border, sines */
-	Transform transform[2];         /* along u and v */
+	Transform transform[2];         /* along u and v; on the sock along v, and [0] has the sines
+	                                 * and cosines along u */
+	fftw_plan plan[2];              /* on the sock: along u, forward and back */
 	double   *work;                 /* the workspaces of all threads */
 } Plate;
 
-/* g has at least 3 nodes in each direction.  Returns 0, or PLATE_ENOMEM with nothing in p to
+/* g is a rectangle or a sock, with at least 3 nodes in each direction.  Returns 0, or PLATE_ENOMEM with nothing in p to
  * free. */
 int  plate_init(Plate *p, Chart g, int free);
 void plate_free(Plate *p);
