@@ -11,6 +11,7 @@
 #include "shared/cmd.h"
 #include "shared/formats.h"
 #include "shared/load.h"
+#include "mesh2rect/coneopt.h"
 #include "mesh2rect/corneropt.h"
 #include "mesh2rect/likeopt.h"
 #include "mesh2rect/loss.h"
@@ -66,13 +67,15 @@ CMD_USAGE
 "is the metadatum like: 0 for equal boundaries.  Of fits within 25 % of the best, the one that\n"
 "turns the mesh least is chosen, and this is noted: an outline may also fit upside down.\n";
 
-enum { FLIP = 256, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, LIKE, REVERSED, MAX_CELLS,
+enum { FLIP = 256, CHART, CONES, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, LIKE, REVERSED, MAX_CELLS,
 	UV = CMD_UNRECORDED, MAX_LOSS };
 
 static const double KEEP = 0.99;        /* fraction of the area, for -n auto */
 
 static const struct option longopt[] = {
 	{ "cells",        required_argument, NULL, 'n' },
+	{ "chart",        required_argument, NULL, CHART },
+	{ "cones",        required_argument, NULL, CONES },
 	{ "corners",      required_argument, NULL, 'c' },
 	{ "like",         required_argument, NULL, LIKE },
 	{ "like-reversed", no_argument,      NULL, REVERSED },
@@ -89,14 +92,15 @@ static const struct option longopt[] = {
 };
 
 /* Reads "auto", "N" or "NxM".  Sets the numbers of nodes of g, one more than those of cells; or, for
- * "auto", *keep, the fraction of the area to be kept, which is 0 otherwise. */
+ * "auto", o->keep, the fraction of the area to be kept, which is 0 otherwise. */
 static void
-opt_cells(char *s, Chart *g, double *keep)
+opt_cells(char *s, Chart *g, ConformalOptions *o)
 {
 	char *x = strchr(s, 'x'), *first;
 
-	*keep = strcmp(s, "auto") == 0 ? KEEP : 0;
-	if (*keep > 0)
+	o->keep = strcmp(s, "auto") == 0 ? KEEP : 0;
+	o->shape = !x;
+	if (o->keep > 0)
 		return;
 	first = strdup(s);
 	if (!first)
@@ -173,6 +177,8 @@ map_disk(const Disk *d, const int corner[4], Chart g, const ConformalOptions *op
 	switch (conformal_grid(d, corner, g, options, c, &report)) {
 	case 0: break;
 	case SPD_ENOMEM: die("no memory: the factor of %d vertices needs %.0f bytes", d->m.nv, report.bytes);
+	case CONFORMAL_ECONES:
+		die("the cones are no two inner points of the surface that can be told apart: --cones");
 	case SPD_ELARGE: die("%d vertices are more than the solver can number", d->m.nv);
 	default: too_thin(d, report.column);
 	}
@@ -188,9 +194,26 @@ begin_output(Lhg *out, const Grid *grid)
 	int k;
 
 	lhg_init(out, grid->g.nu, grid->g.nv, grid->g.T);
+	out->chart = lhg_chart(grid->g.kind->name);
 	for (k = 0; k < 3; k++)
 		memcpy(cmd_add(out, name[k], "length", LHG_GRID, 0), grid->phi[k],
 		    (size_t)grid->g.nu*grid->g.nv*sizeof(double));
+}
+
+/* The grid on the chart of --chart. */
+static Chart
+on_chart(int kind, const char *cones, Chart g, const ConformalOptions *o)
+{
+	g.kind = chart_kind(lhg_chartname(kind));
+	if (cones && kind != LHG_SOCK)
+		misuse("--cones needs --chart=sock");
+	if (kind != LHG_SOCK || o->shape || o->keep > 0)
+		return g;
+	g.nu--, g.nv--;                 /* a row of nodes round the sock has as many nodes as cells */
+	if (g.nu%2 || g.nu < 8 || g.nv < 6)
+		misuse("--cells=%dx%d: a sock needs an even number of cells round it, at least 8, and at least 6 along",
+		    g.nu, g.nv);
+	return g;
 }
 
 static void
@@ -216,10 +239,10 @@ keep_facts(Soup *s)
 int
 main(int argc, char *argv[])
 {
-	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0, 1024 };
-	const char *corners = NULL, *like = NULL, *uv = NULL;
+	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0, 1024, { -1, -1 }, 1 };
+	const char *corners = NULL, *cones = NULL, *like = NULL, *uv = NULL;
 	Chart g = { 257, 257, 1, &CHART_RECTANGLE };
-	int opt, corner[4], flip = 0, reversed = 0;
+	int opt, corner[4], kind = LHG_RECTANGLE, flip = 0, reversed = 0;
 	double apart, most_lost = 0.5;
 	Conformal c;
 	Soup s;
@@ -230,7 +253,9 @@ main(int argc, char *argv[])
 	cmd_begin("mesh2rect", formats_usage(text, usage, sizeof usage));
 	while ((opt = cmd_getopt(argc, argv, "n:c:", longopt)) != -1)
 		switch (opt) {
-		case 'n': opt_cells(optarg, &g, &options.keep); break;
+		case 'n': opt_cells(optarg, &g, &options); break;
+		case CHART: kind = opt_word(optarg, "rectangle\0sock\0", "chart"); break;
+		case CONES: cones = optarg; break;
 		case 'c': corners = optarg; break;
 		case LIKE: like = optarg; break;
 		case REVERSED: reversed = 1; break;
@@ -246,6 +271,7 @@ main(int argc, char *argv[])
 		}
 	cmd_operands(argc, argv, 0, 1);
 	check_like(corners, like, reversed);
+	g = on_chart(kind, cones, g, &options);
 	if (uv)
 		opt_uv(uv, argv[optind]);
 	cmd_binary_output();
@@ -257,11 +283,14 @@ main(int argc, char *argv[])
 		disk_flip(&d);
 	add_corner(cmd_name_of(argv[optind]), &d);
 	apart = choose_corners(corners, like, reversed, &d, corner);
+	opt_cones(cones, &d, options.cone);
 	claim_map(cmd_name_of(argv[optind]), &d, g, &options);
 	map_disk(&d, corner, g, &options, &c);
 
 	begin_output(&out, &c.grid);
 	quality_meta(&out, &d, corner, apart, &c);
+	if (kind == LHG_SOCK)
+		cones_meta(&out, &d, &c);
 	quality_facts(&out, s.facts);
 	loss_report(&out, cmd_name_of(argv[optind]), most_lost, &d, &c);
 	quality_notes(cmd_name_of(argv[optind]), uv, &d, &options, &c);

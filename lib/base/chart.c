@@ -84,7 +84,8 @@ sock_round(Chart g, double *lambda0)
 
 const ChartKind CHART_RECTANGLE = { "rectangle", .cells = rectangle_cells, .cell = rectangle_cell };
 const ChartKind CHART_SOCK = { "sock", .joined = { { 1, 1 }, { 1, 0 } }, .beyond = sock_beyond,
-    .cells = sock_cells, .cell = sock_cell, .round = sock_round, .cones = 2, .cone = { { 0, 0 }, { 0.5, 0 } } };
+    .cells = sock_cells, .cell = sock_cell, .round = sock_round, .folded = 1, .cones = 2,
+    .cone = { { 0, 0 }, { 0.5, 0 } } };
 
 const ChartKind *
 chart_kind(const char *name)

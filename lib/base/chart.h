@@ -40,6 +40,7 @@ typedef struct ChartKind {
 	 * as it does; lambda over it does not.  NULL: 1 everywhere. */
 	void (*round)(Chart g, double *lambda0);
 
+	int    folded;          /* 1: the side v = 0 is glued to itself, (u,0) to (1-u,0) */
 	int    cones;           /* cone points of angle pi, at (cone[0][0],cone[0][1]), .. */
 	double cone[2][2];
 } ChartKind;

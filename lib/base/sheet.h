@@ -7,6 +7,8 @@
 #ifndef SHEET_H
 #define SHEET_H
 
+#include <math.h>
+
 typedef struct Sheet {
 	signed char sign;       /* 1 or -1 */
 	int         shift;
@@ -35,6 +37,16 @@ static inline Sheet
 sheet_inverse(Sheet a)
 {
 	return (Sheet){ a.sign, -a.sign*a.shift };
+}
+
+/* The sheet of the image of (u,v) that is nearest to the point (x,y). */
+static inline Sheet
+sheet_nearest(double u, double v, double x, double y)
+{
+	Sheet same = { 1, (int)floor(x - u + 0.5) }, turned = { -1, (int)floor(x + u + 0.5) };
+
+	return hypot(sheet_u(turned, u) - x, sheet_v(turned, v) - y) <
+	    hypot(sheet_u(same, u) - x, sheet_v(same, v) - y) ? turned : same;
 }
 
 #endif

@@ -135,6 +135,16 @@ carlson(double complex x, double complex y)
 	return (1 - e2/10 + e3/14 + e2*e2/24 - 3*e2*e3/44)/csqrt(mean);
 }
 
+/* 1 - w^2 for Im w >= 0.  The sign of its imaginary part, even of 0, chooses the side of the cut of the square
+ * root. */
+static double complex
+one_less_square(double complex w)
+{
+	double x = creal(w), y = cimag(w);
+
+	return CMPLX((1 - x)*(1 + x) + y*y, -2*x*y);
+}
+
 void
 sockplane_uv(const SockPlane *p, double complex z, double *u, double *v)
 {
@@ -142,9 +152,9 @@ sockplane_uv(const SockPlane *p, double complex z, double *u, double *v)
 	double complex w, F;
 	double x;
 
-	z = up ? z : conj(z);
+	z = CMPLX(creal(z), fabs(cimag(z)));    /* also of -0, which is on the wrong side of cuts */
 	w = z/p->s;
-	F = w*carlson((1 - w)*(1 + w), (1 - p->s*z)*(1 + p->s*z));
+	F = w*carlson(one_less_square(w), one_less_square(p->s*z));
 	x = up ? creal(F) : 2*p->K - creal(F);
 
 	*u = (x/p->K + 1)/4;

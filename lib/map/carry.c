@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "../grid/bicubic.h"
+#include "../grid/stencil.h"
 #include "carry.h"
 
 enum { PASSES = 100 };
@@ -68,45 +69,97 @@ turn_back(Chart g, const Shift *s)
 			}
 }
 
-/* Bilinear interpolation of f at (x,y), in grid steps. */
+/* The first node of the cell at x, along an axis. */
+static int
+cell_of(Chart g, int axis, double x)
+{
+	int last = (axis ? g.nv : g.nu) - 2;
+
+	return !g.kind->joined[axis][1] && x >= last ? last : (int)floor(x);
+}
+
+/* The odd field f at (i,j). */
+static double
+odd(Chart g, const double *f, int i, int j)
+{
+	int sign = 1;
+	size_t p = stencil_node(g, i, j, &sign);
+
+	return sign*f[p];
+}
+
+/* Bilinear interpolation of the odd field f at (x,y), in grid steps. */
 static double
 bilinear(Chart g, const double *f, double x, double y)
 {
-	int i = x < g.nu - 2 ? (int)x : g.nu - 2, j = y < g.nv - 2 ? (int)y : g.nv - 2;
+	int i = cell_of(g, 0, x), j = cell_of(g, 1, y);
 	double t = x - i, r = y - j;
 
-	f += (size_t)j*g.nu + i;
-	return (1 - r)*((1 - t)*f[0] + t*f[1]) + r*((1 - t)*f[g.nu] + t*f[g.nu+1]);
+	return (1 - r)*((1 - t)*odd(g, f, i, j) + t*odd(g, f, i + 1, j)) +
+	    r*((1 - t)*odd(g, f, i, j + 1) + t*odd(g, f, i + 1, j + 1));
 }
 
-/* A coordinate of a moved point, between the sides 0 and n, from its values by bicubic and by bilinear
+/* A coordinate of a moved point, between the open sides at 0 and n, from its values by bicubic and by bilinear
  * interpolation.  The bilinear value keeps inner points inside.  Where the displacement varies much
  * within a cell, the bicubic value may lie outside, and all points of a limb would end at one place on
  * a side.  So each distance from a side is kept within a factor of two of the bilinear one. */
 static double
-keep_off(double cubic, double linear, int n)
+keep_off(const int joined[2], double cubic, double linear, int n)
 {
-	double x = fmin(fmax(cubic, linear/2), 2*linear);
+	double x = joined[0] ? cubic : fmin(fmax(cubic, linear/2), 2*linear);
 
-	return fmax(fmin(x, n - (n - linear)/2), n - 2*(n - linear));
+	return joined[1] ? x : fmax(fmin(x, n - (n - linear)/2), n - 2*(n - linear));
+}
+
+/* Replaces (u,v) by its image within the chart. */
+static void
+bring_back(const ChartKind *kind, double *u, double *v)
+{
+	if (kind->folded && *v < 0)
+		*u = 1 - *u, *v = -*v;
+	if (kind->joined[0][0])
+		*u -= floor(*u);
+}
+
+/* x in grid steps from the first node, kept between open sides. */
+static double
+in_steps(Chart g, int axis, double share)
+{
+	const int *joined = g.kind->joined[axis];
+	double steps = chart_steps(g, axis), x = share*steps - 0.5*joined[0];
+
+	x = joined[0] ? x : fmax(x, 0);
+	return joined[1] ? x : fmin(x, (axis ? g.nv : g.nu) - 1);
+}
+
+/* The share of the width or height at x in steps, not beyond open sides. */
+static double
+share_of(Chart g, int axis, double x)
+{
+	const int *joined = g.kind->joined[axis];
+
+	x = (x + 0.5*joined[0])/chart_steps(g, axis);
+	x = joined[0] ? x : fmax(x, 0);
+	return joined[1] ? x : fmin(x, 1);
 }
 
 void
 carry_points(Chart g, Shift *s, int n, double *pu, double *pv)
 {
-	const int mu = g.nu - 1, mv = g.nv - 1;
+	const int (*joined)[2] = g.kind->joined;
 	int i;
 
 	if (n > 0)
 		turn_back(g, s);
 	#pragma omp parallel for schedule(static)
 	for (i = 0; i < n; i++) {
-		double x = fmin(fmax(pu[i]*mu, 0), mu), y = fmin(fmax(pv[i]/g.T*mv, 0), mv);
+		double x = in_steps(g, 0, pu[i]), y = in_steps(g, 1, pv[i]/g.T);
 		Bicubic at = bicubic_at(g, x, y);
-		double a = keep_off(x + bicubic_value(&at, s->du), x + bilinear(g, s->du, x, y), mu);
-		double b = keep_off(y + bicubic_value(&at, s->dv), y + bilinear(g, s->dv, x, y), mv);
+		double a = keep_off(joined[0], x + bicubic_odd(&at, s->du), x + bilinear(g, s->du, x, y), g.nu - 1);
+		double b = keep_off(joined[1], y + bicubic_odd(&at, s->dv), y + bilinear(g, s->dv, x, y), g.nv - 1);
 
-		pu[i] = fmin(fmax(a/mu, 0), 1);
-		pv[i] = fmin(fmax(b/mv, 0), 1)*s->T;
+		pu[i] = share_of(g, 0, a);
+		pv[i] = share_of(g, 1, b)*s->T;
+		bring_back(g.kind, &pu[i], &pv[i]);
 	}
 }

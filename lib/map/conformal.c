@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../base/sheet.h"
 #include "../grid/gridloss.h"
 #include "../intrinsic/overlay.h"
 #include "../mesh/boundarysplit.h"
@@ -23,7 +24,31 @@ typedef struct Sampling {
 	const double  *u, *v;
 	double         enough;
 	const ConformalOptions *options;
+	ChartMap       map;
 } Sampling;
+
+/* The numbers of nodes along u and v: those of g, or on a sock as many together, in cells about square. */
+static void
+shape(const Sampling *m, Chart *g)
+{
+	double nodes = (double)g->nu*g->nv;
+
+	if (!g->kind->folded || !(m->options->shape || m->options->keep > 0))
+		return;
+	g->nu = 2*(int)fmax(floor(sqrt(nodes/m->map.chart_T)/2 + 0.5), 4);
+	g->nv = (int)fmax(floor(g->nu*m->map.chart_T + 1), 6);
+}
+
+/* The (u,v) of the vertices of d. */
+static void
+vertices_on_chart(const Sampling *m, Conformal *c)
+{
+	int i;
+
+	#pragma omp parallel for schedule(static)
+	for (i = 0; i < m->d->m.nv; i++)
+		chartmap_uv(&m->map, m->u[i], m->v[i], &c->u[i], &c->v[i]);
+}
 
 /* Samples a map on the grid g and polishes the grid, which also moves the vertices of d in the
  * chart.  If the area of the grid is below `least` before or after the polish, *less is set, and the
@@ -34,11 +59,11 @@ sample_and_polish(const Sampling *m, Chart g, double least, Conformal *c, int *l
 	double area = least;
 	int e;
 
-	if (grid_init(&c->grid, g, m->s))
+	shape(m, &g);
+	if (grid_init(&c->grid, &m->map, g.nu, g.nv, m->s))
 		return SPD_ENOMEM;
-	memcpy(c->u, m->u, m->d->m.nv*sizeof *c->u);
-	memcpy(c->v, m->v, m->d->m.nv*sizeof *c->v);
-	e = least > 0 && gridloss_area(g, c->grid.phi, &area);
+	vertices_on_chart(m, c);
+	e = least > 0 && gridloss_area(c->grid.g, c->grid.phi, &area);
 	if (!e && area >= least) {
 		e = polish(m->s, &c->grid, m->options->polish, m->enough, m->d->m.nv, c->u, c->v, &c->polished)
 		    || (least > 0 && gridloss_area(c->grid.g, c->grid.phi, &area));
@@ -63,16 +88,37 @@ sample_enough(const Sampling *m, Chart g, Conformal *c)
 	return e;
 }
 
+/* How many triangles are turned over, each drawn with straight edges on the sheet of its first corner. */
+static int
+turned_on_sheets(const Disk *d, const double *u, const double *v)
+{
+	int t, k, n = 0;
+
+	for (t = 0; t < d->m.nf; t++) {
+		const int *c = &d->m.tri[3*(size_t)t], corner[3] = { 0, 1, 2 };
+		double x[3], y[3];
+
+		for (k = 0; k < 3; k++) {
+			Sheet s = sheet_nearest(u[c[k]], v[c[k]], u[c[0]], v[c[0]]);
+
+			x[k] = sheet_u(s, u[c[k]]), y[k] = sheet_v(s, v[c[k]]);
+		}
+		n += mesh_image(corner, x, y) < 0;
+	}
+	return n;
+}
+
 static int
 sample_map(const Sampling *m, const int corner[4], Chart g, Conformal *c)
 {
 	int e, less;
 
-	g.T = m->s->l.T;
 	e = m->options->keep > 0 ? sample_enough(m, g, c) : sample_and_polish(m, g, 0, c, &less);
-	if (e || untangle(m->d, corner, c->grid.g.T, c->u, c->v, &c->uv))
-		return SPD_ENOMEM;
-	return 0;
+	if (!e && g.kind->folded)
+		c->uv.turned = turned_on_sheets(m->d, c->u, c->v);
+	else if (!e)
+		e = untangle(m->d, corner, c->grid.g.T, c->u, c->v, &c->uv);
+	return e ? SPD_ENOMEM : 0;
 }
 
 /* A map of d, solved on a finer mesh. */
@@ -81,6 +127,74 @@ typedef struct Solved {
 	const double      *u, *v;       /* [mesh->d.m.nv] */
 	double             T, enough;
 } Solved;
+
+/* The vertex of z nearest to the point a of the disk, as a hyperbolic distance; one on the boundary is
+ * none. */
+static int
+nearest_vertex(int n, const double complex *z, double complex a)
+{
+	int i, best = -1;
+	double d, least = HUGE_VAL;
+
+	for (i = 0; i < n; i++) {
+		d = cabs((z[i] - a)/(1 - conj(a)*z[i]));
+		if (d < least && cabs(z[i]) < 1 - 1e-9) {
+			least = d;
+			best = i;
+		}
+	}
+	return best;
+}
+
+/* Sets the cones of a sock, and chi^2 with and without them.  z: of the vertices, in the unit disk. */
+static int
+find_cones(const Disk *d, const int corner[4], const int given[2], const double complex *z, Conformal *c)
+{
+	double complex at[4];
+	Parts parts;
+	int k;
+
+	if (parts_init(&parts, &d->m, z))
+		return SPD_ENOMEM;
+	for (k = 0; k < 2; k++)
+		c->cone[k] = given[k];
+	if (given[0] < 0) {
+		cones_choose(&parts, at);
+		for (k = 0; k < 2; k++)
+			c->cone[k] = nearest_vertex(d->m.nv, z, at[k]);
+	}
+	for (k = 0; k < 4; k++)
+		at[k] = z[d->loop[corner[k]]];
+	c->chi2[0] = parts_rectangle(&parts, at);
+	c->chi2[1] = parts_sock(&parts, z[c->cone[0]], z[c->cone[1]]);
+	parts_free(&parts);
+	return 0;
+}
+
+/* Makes the map of the chart; on a sock, finds its cones. */
+static int
+make_chart(const Disk *d, const int corner[4], const ConformalOptions *o, Sampling *at, const ChartKind *kind,
+	Conformal *c)
+{
+	double complex *z;
+	int i, e;
+
+	at->map = chartmap_rectangle(at->s->l.T);
+	if (!kind->folded)
+		return 0;
+	z = malloc(d->m.nv*sizeof *z);
+	if (!z)
+		return SPD_ENOMEM;
+	for (i = 0; i < d->m.nv; i++)
+		z[i] = chartmap_disk(at->s->l.T, at->u[i], at->v[i]);
+	e = find_cones(d, corner, o->cone, z, c);
+	if (!e && (c->cone[0] < 0 || c->cone[1] < 0 || c->cone[0] == c->cone[1]))
+		e = CONFORMAL_ECONES;
+	if (!e)
+		at->map = chartmap_sock(at->s->l.T, z[c->cone[0]], z[c->cone[1]]);
+	free(z);
+	return e;
+}
 
 /* Samples the surface.  A smooth surface is sampled on d, except near triangles of d that the map
  * turns over or makes flat: there the facets of the finer mesh are sampled.  A surface of facets is
@@ -91,12 +205,15 @@ sample(const Disk *d, const int corner[4], const Solved *m, Chart g, const Confo
 {
 	int smooth = options->surface == SAMPLER_SMOOTH, e;
 	Sampler s;
-	Sampling at = { &s, d, m->u, m->v, m->enough, options };
+	Sampling at = { .s = &s, .d = d, .u = m->u, .v = m->v, .enough = m->enough, .options = options };
 
 	if (sampler_init(&s, smooth ? d : &m->mesh->d, m->u, m->v, m->T, options->surface))
 		return SPD_ENOMEM;
-	e = smooth && c->overlaid && sampler_overlay(&s, m->mesh, m->u, m->v) ? SPD_ENOMEM
-	    : sample_map(&at, corner, g, c);
+	e = make_chart(d, corner, options, &at, g.kind, c);
+	if (!e && smooth && c->overlaid && sampler_overlay(&s, m->mesh, m->u, m->v))
+		e = SPD_ENOMEM;
+	if (!e)
+		e = sample_map(&at, corner, g, c);
 	sampler_free(&s);
 	return e;
 }
@@ -234,6 +351,17 @@ restore_order(const Traversal *t, double **x)
 	return 0;
 }
 
+/* The vertex of d that has that number in the traversal, -1 if it was added. */
+static int
+given_number(const Traversal *t, int number)
+{
+	int i = t->d.m.nv - 1;
+
+	while (i >= 0 && t->number[i] != number)
+		i--;
+	return i;
+}
+
 /* Moves the grid back by the offset, and puts u and v in the order of the vertices of d. */
 static int
 restore(const Disk *d, const Traversal *t, const double offset[3], Conformal *c)
@@ -246,19 +374,11 @@ restore(const Disk *d, const Traversal *t, const double offset[3], Conformal *c)
 			c->grid.phi[k][i] += offset[k];
 	if (restore_order(t, &c->u) || restore_order(t, &c->v))
 		return SPD_ENOMEM;
-	c->uv.turned += boundary_split_turned(d, c->u, c->v);
+	for (k = 0; k < 2 && c->grid.g.kind->folded; k++)
+		c->cone[k] = given_number(t, c->cone[k]);
+	if (!c->grid.g.kind->folded)
+		c->uv.turned += boundary_split_turned(d, c->u, c->v);
 	return 0;
-}
-
-/* The vertex of d that has that number in the traversal, -1 if it was added. */
-static int
-given_number(const Traversal *t, int number)
-{
-	int i = t->d.m.nv - 1;
-
-	while (i >= 0 && t->number[i] != number)
-		i--;
-	return i;
 }
 
 /* Points are added on edges; far from the origin, rounding of their coordinates would bend the
@@ -269,16 +389,19 @@ int
 conformal_grid(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options,
 	Conformal *c, SpdReport *report)
 {
+	ConformalOptions o = *options;
 	Traversal near;
 	double offset[3];
-	int to[4], e = normalize(d, corner, &near, to, offset);
+	int to[4], k, e = normalize(d, corner, &near, to, offset);
 
 	memset(c, 0, sizeof *c);
 	if (e)
 		return e;
+	for (k = 0; k < 2; k++)
+		o.cone[k] = o.cone[k] < 0 ? -1 : near.number[o.cone[k]];
 	c->u = malloc(d->m.nv*sizeof *c->u);
 	c->v = malloc(d->m.nv*sizeof *c->v);
-	e = c->u && c->v ? map_and_sample(&near.d, to, g, options, c, report) : SPD_ENOMEM;
+	e = c->u && c->v ? map_and_sample(&near.d, to, g, &o, c, report) : SPD_ENOMEM;
 	if (!e)
 		e = restore(d, &near, offset, c);
 	else if (e == SPD_EINDEFINITE)

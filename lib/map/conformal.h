@@ -3,8 +3,13 @@
 #define CONFORMAL_H
 
 #include "adapt.h"
+#include "cones.h"
 #include "polish.h"
 #include "untangle.h"
+
+/* The cones of a sock are equal or on the boundary, or lie so deep in limbs that they cannot be told
+ * apart. */
+enum { CONFORMAL_ECONES = -30 };
 
 typedef struct ConformalOptions {
 	AdaptOptions map;
@@ -13,6 +18,9 @@ typedef struct ConformalOptions {
 	double keep;            /* > 0: take the fewest cells of conformal_cells, equally many along
 	                         * u and v, whose grid keeps this share of the area of the disk */
 	int    most;            /* if keep > 0: largest number of cells along u and v, >= 4 */
+	int    cone[2];         /* vertices that become the cones of a sock; -1: cones_choose */
+	int    shape;           /* 1: take the number of nodes of the given grid, but on a sock choose nu and
+	                         * nv so that its cells are about square */
 } ConformalOptions;
 
 typedef struct Conformal {
@@ -28,11 +36,13 @@ typedef struct Conformal {
 	int     solved_turned;  /* triangles of negative (u,v) area, of the mesh of the solve */
 	Untangled uv;           /* how turned triangles of the disk were turned back (untangle.h) */
 	int     polished;       /* rounds of polishing that were kept */
+	int     cone[2];        /* vertices that are the cones of a sock, or were chosen for one */
+	double  chi2[2];        /* of the rectangle, of the sock with these cones (cones.h) */
 } Conformal;
 
-/* Maps the disk d and samples it on g.nu x g.nv nodes (g.T is not read; nor are g.nu and g.nv
- * if options->keep > 0).  corner: indices into the loop of d.  Returns 0, SPD_ENOMEM,
- * SPD_EINDEFINITE or SPD_ELARGE; on an error c holds nothing to free.  On SPD_EINDEFINITE
+/* Maps the disk d and samples it on a grid of the kind g.kind with g.nu x g.nv nodes (g.T is not read;
+ * nor are g.nu and g.nv if options->keep > 0).  corner: indices into the loop of d.  Returns 0, SPD_ENOMEM,
+ * SPD_EINDEFINITE, SPD_ELARGE or CONFORMAL_ECONES; on an error c holds nothing to free.  On SPD_EINDEFINITE
  * report->column is the vertex of d where the solve failed, -1: at one that was added. */
 int  conformal_grid(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options,
 	Conformal *c, SpdReport *report);

@@ -1,4 +1,4 @@
-/* gridlaplace.c - harmonic functions on a grid with mixed boundary conditions. */
+/* gridlaplace.c - harmonic coordinates of a grid with mixed boundary conditions. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +15,7 @@ static const double REDUCTION = 1e-3;   /* of the norm of the preconditioned res
                                          * FEW_STEPS reach it.. */
 static const double EXACT = 1e-6;       /* ..and from there on where they do not, because errors of
                                          * rounding then grow */
+static const double RING = 2.5;         /* steps */
 static const double FLATTEST = 1e-3;    /* smallest ratio of the eigenvalues of the metric: flatter
                                          * cells tell nothing of the surface.  The eigenvalues of A
                                          * are then within 1e-3 .. 1 of the largest, for which CG
@@ -44,9 +45,11 @@ differentiate(Chart g, const double *const phi[3])
 	return node;
 }
 
-/* A cell with corners (i,j) (i+1,j) (i,j+1) (i+1,j+1) and steps h, k. */
+/* A cell with corners (i,j) (i+1,j) (i,j+1) (i+1,j+1) and steps h, k.  At a corner of sign -1, the
+ * image of a node beyond a fold, phi_u and phi_v change their sign. */
 typedef struct Cell {
 	const Node *corner[4];
+	int         sign[4];
 	double      h, k;
 } Cell;
 
@@ -76,8 +79,8 @@ tangents(const Cell *cell, double central, double x, double y, const double du[4
 		phi_u[c] = phi_v[c] = 0;
 		for (a = 0; a < 4; a++) {
 			p = cell->corner[a];
-			phi_u[c] += central*shape[a]*p->phi_u[c] + (1 - central)*du[a]*p->phi[c];
-			phi_v[c] += central*shape[a]*p->phi_v[c] + (1 - central)*dv[a]*p->phi[c];
+			phi_u[c] += central*shape[a]*(cell->sign[a]*p->phi_u[c]) + (1 - central)*du[a]*p->phi[c];
+			phi_v[c] += central*shape[a]*(cell->sign[a]*p->phi_v[c]) + (1 - central)*dv[a]*p->phi[c];
 		}
 	}
 }
@@ -114,19 +117,76 @@ add_point(const Cell *cell, double central, double x, double y, double m[10])
 			*m++ += (G*du[a]*du[b] - F*(du[a]*dv[b] + dv[a]*du[b]) + E*dv[a]*dv[b])/area*h*k/4;
 }
 
-static void
-fill_row(GridLaplace *l, const Node *node, int j, int metric)
+/* The row of nodes below row `row` of cells: the last row of cells of a folded chart is the fold. */
+static int
+row_below(const GridLaplace *l, int row)
 {
-	double *m = l->cell + 10*(size_t)j*(l->g.nu - 1), r = METRIC[metric].from_middle;
-	const Node *p = node + (size_t)j*l->g.nu;
-	int i, q;
+	return l->g.kind->folded && row == l->down - 1 ? -1 : row;
+}
 
-	for (i = 0; i < l->g.nu - 1; i++, p++, m += 10) {
-		Cell cell = { { p, p + 1, p + l->g.nu, p + l->g.nu + 1 }, chart_h(l->g), chart_k(l->g) };
+/* The nodes of cell i of a row of cells above row j of nodes, and their signs. */
+static void
+corners_of(Chart g, int i, int j, size_t node[4], int sign[4])
+{
+	int a;
 
-		for (q = 0; q < 4; q++)
-			add_point(&cell, METRIC[metric].central, q%2 ? 0.5 + r : 0.5 - r,
-			    q/2 ? 0.5 + r : 0.5 - r, m);
+	for (a = 0; a < 4; a++) {
+		sign[a] = 1;
+		node[a] = stencil_node(g, i + a%2, j + a/2, &sign[a]);
+	}
+}
+
+/* Whether the middle of that cell is within RING steps of a cone. */
+static int
+near_cone(Chart g, int i, int j)
+{
+	double h = chart_h(g), k = chart_k(g), du, dv;
+	int c;
+
+	for (c = 0; c < g.kind->cones; c++) {
+		du = fabs(chart_u(g, i) + h/2 - g.kind->cone[c][0]);
+		dv = chart_v(g, j) + k/2 - g.kind->cone[c][1];
+		if (hypot(fmin(du, 1 - du)/h, dv/k) < RING)
+			return 1;
+	}
+	return 0;
+}
+
+/* The matrix of a conformal cell: A is the identity. */
+static void
+add_flat_point(double h, double k, double x, double y, double m[10])
+{
+	double du[4] = { -(1 - y)/h, (1 - y)/h, -y/h, y/h };
+	double dv[4] = { -(1 - x)/k, -x/k, (1 - x)/k, x/k };
+	int a, b;
+
+	for (a = 0; a < 4; a++)
+		for (b = 0; b <= a; b++)
+			*m++ += (du[a]*du[b] + dv[a]*dv[b])*h*k/4;
+}
+
+static void
+fill_row(GridLaplace *l, const Node *node, int row, int metric)
+{
+	double *m = l->cell + 10*(size_t)row*l->across, r = METRIC[metric].from_middle, x, y;
+	int i, q, a, j = row_below(l, row), flat;
+	Cell cell = { .h = chart_h(l->g), .k = chart_k(l->g) };
+	size_t at[4];
+
+	for (i = 0; i < l->across; i++, m += 10) {
+		corners_of(l->g, i, j, at, cell.sign);
+		for (a = 0; a < 4; a++)
+			cell.corner[a] = node + at[a];
+		flat = near_cone(l->g, i, j);
+		for (q = 0; q < 4; q++) {
+			x = q%2 ? 0.5 + r : 0.5 - r, y = q/2 ? 0.5 + r : 0.5 - r;
+			if (flat)
+				add_flat_point(cell.h, cell.k, x, y, m);
+			else
+				add_point(&cell, METRIC[metric].central, x, y, m);
+		}
+		for (q = 0; q < 10 && j < 0; q++)
+			m[q] /= 2;              /* the cells of the fold come twice */
 	}
 }
 
@@ -137,14 +197,16 @@ gridlaplace_init(GridLaplace *l, Chart g, double *const phi[3], int metric)
 	int j;
 
 	l->g = g;
-	l->cell = calloc((size_t)(g.nu - 1)*(g.nv - 1), 10*sizeof *l->cell);
+	l->across = g.kind->joined[0][1] ? g.nu : g.nu - 1;
+	l->down = g.nv - 1 + g.kind->folded;
+	l->cell = calloc((size_t)l->across*l->down, 10*sizeof *l->cell);
 	if (!node || !l->cell) {
 		free(node);
 		gridlaplace_free(l);
 		return GRIDLAPLACE_ENOMEM;
 	}
 	#pragma omp parallel for schedule(static)
-	for (j = 0; j < g.nv - 1; j++)
+	for (j = 0; j < l->down; j++)
 		fill_row(l, node, j, metric);
 	free(node);
 	return 0;
@@ -157,15 +219,30 @@ gridlaplace_free(GridLaplace *l)
 	l->cell = NULL;
 }
 
+/* Adds the product of one cell.  base: values at its corners that are added to those of x. */
+static void
+apply_cell(const double m[10], const size_t p[4], const int sign[4], const double base[4], const double *x,
+	double *y)
+{
+	double a = base[0] + sign[0]*x[p[0]], b = base[1] + sign[1]*x[p[1]];
+	double c = base[2] + sign[2]*x[p[2]], d = base[3] + sign[3]*x[p[3]];
+
+	y[p[0]] += sign[0]*(m[0]*a + m[1]*b + m[3]*c + m[6]*d);
+	y[p[1]] += sign[1]*(m[1]*a + m[2]*b + m[4]*c + m[7]*d);
+	y[p[2]] += sign[2]*(m[3]*a + m[4]*b + m[5]*c + m[8]*d);
+	y[p[3]] += sign[3]*(m[6]*a + m[7]*b + m[8]*c + m[9]*d);
+}
+
 /* Adds the products of one row of cells to its two rows of nodes. */
 static void
-apply_row(const GridLaplace *l, int j, const double *x, double *y)
+apply_row(const GridLaplace *l, int row, const double *x, double *y)
 {
-	const double *m = l->cell + 10*(size_t)j*(l->g.nu - 1);
-	size_t p = (size_t)j*l->g.nu, q = p + l->g.nu;
-	int i;
+	static const double none[4] = { 0, 0, 0, 0 };
+	const double *m = l->cell + 10*(size_t)row*l->across;
+	int i, j = row_below(l, row), plain = j < 0 ? 0 : l->g.nu - 1, sign[4];
+	size_t p = (size_t)row*l->g.nu, q = p + l->g.nu, node[4];
 
-	for (i = 0; i < l->g.nu - 1; i++, m += 10, p++, q++) {
+	for (i = 0; i < plain; i++, m += 10, p++, q++) {
 		double a = x[p], b = x[p+1], c = x[q], d = x[q+1];
 
 		y[p]   += m[0]*a + m[1]*b + m[3]*c + m[6]*d;
@@ -173,21 +250,67 @@ apply_row(const GridLaplace *l, int j, const double *x, double *y)
 		y[q]   += m[3]*a + m[4]*b + m[5]*c + m[8]*d;
 		y[q+1] += m[6]*a + m[7]*b + m[8]*c + m[9]*d;
 	}
+	for (; i < l->across; i++, m += 10) {
+		corners_of(l->g, i, j, node, sign);
+		apply_cell(m, node, sign, none, x, y);
+	}
 }
 
-/* Applies even rows of cells, then odd ones.  So rows that run at the same time share no node, and
- * the order of each sum does not depend on the number of threads. */
+/* Applies even rows of cells, then odd ones, and last the fold.  So rows that run at the same time share no
+ * node, and the order of each sum does not depend on the number of threads. */
 void
 gridlaplace_apply(const GridLaplace *l, const double *x, double *y)
 {
-	int parity, j;
+	int parity, j, rows = l->down - l->g.kind->folded;
 
 	memset(y, 0, (size_t)l->g.nu*l->g.nv*sizeof *y);
 	for (parity = 0; parity < 2; parity++) {
 		#pragma omp parallel for schedule(static)
-		for (j = parity; j < l->g.nv - 1; j += 2)
+		for (j = parity; j < rows; j += 2)
 			apply_row(l, j, x, y);
 	}
+	if (l->g.kind->folded)
+		apply_row(l, rows, x, y);
+}
+
+/* y = the derivative of E/2 at the coordinate along the axis plus x, in steps. */
+static void
+apply_coordinate(const GridLaplace *l, int axis, const double *x, double *y)
+{
+	int i, j, a, row, sign[4];
+	size_t node[4];
+
+	memset(y, 0, (size_t)l->g.nu*l->g.nv*sizeof *y);
+	for (row = 0; row < l->down; row++)
+		for (i = 0, j = row_below(l, row); i < l->across; i++) {
+			double base[4];
+
+			for (a = 0; a < 4; a++)
+				base[a] = axis ? j + a/2 + 0.5 : i + a%2 + 0.5;
+			corners_of(l->g, i, j, node, sign);
+			apply_cell(l->cell + 10*((size_t)row*l->across + i), node, sign, base, x, y);
+		}
+}
+
+/* E of the coordinate along the axis plus x, in steps. */
+static double
+coordinate_energy(const GridLaplace *l, int axis, const double *x)
+{
+	int i, j, a, b, row, sign[4];
+	double E = 0, f[4];
+	const double *m = l->cell;
+	size_t node[4];
+
+	for (row = 0; row < l->down; row++)
+		for (i = 0, j = row_below(l, row); i < l->across; i++) {
+			corners_of(l->g, i, j, node, sign);
+			for (a = 0; a < 4; a++)
+				f[a] = (axis ? j + a/2 + 0.5 : i + a%2 + 0.5) + sign[a]*x[node[a]];
+			for (a = 0; a < 4; a++)
+				for (b = 0; b <= a; b++)
+					E += (a == b ? 1 : 2)**m++*f[a]*f[b];
+		}
+	return E;
 }
 
 /* ---- conjugate gradients --------------------------------------------- */
@@ -210,37 +333,71 @@ precondition(void *ctx, const double *r, double *z)
 	planelaplace_solve(((const Harmonic *)ctx)->plane, r, z);
 }
 
-/* f has the boundary values and a start inside; the solution replaces the start.  work:
- * [4][nv][nu]. */
+/* Solves for the correction of f.  On entry work, [4][nv][nu], begins with the negative derivative of
+ * E/2 at f. */
 static void
 solve(const GridLaplace *l, const PlaneLaplace *plane, double *f, double *work)
 {
-	size_t n = (size_t)l->g.nu*l->g.nv, q;
+	size_t n = (size_t)l->g.nu*l->g.nv;
 	Harmonic harmonic = { l, plane };
 	CgSystem s = { n, apply, precondition, &harmonic };
 	CgLimits few = { REDUCTION, FEW_STEPS, HUGE_VAL, 0, 0 }, most = { EXACT, MOST_STEPS, HUGE_VAL, 0, 0 };
 
-	gridlaplace_apply(l, f, work);
-	for (q = 0; q < n; q++)
-		work[q] = -work[q];
 	if (cg(&s, &few, f, work, work + n, work + 2*n, work + 3*n).steps == FEW_STEPS)
 		cg(&s, &most, f, work, work + n, work + 2*n, work + 3*n);
 }
 
-int
-gridlaplace_harmonic(const GridLaplace *l, int axis, double *f, double *energy)
+static void
+negate(size_t n, double *x)
 {
-	size_t n = (size_t)l->g.nu*l->g.nv, p;
-	double *work = malloc(4*n*sizeof *work);
+	size_t p;
+
+	for (p = 0; p < n; p++)
+		x[p] = -x[p];
+}
+
+/* On the rectangle the field is the coordinate itself, from 0 to 1. */
+static void
+shift_rectangle(const GridLaplace *l, const PlaneLaplace *plane, int axis, double *f, double *energy,
+	double *work)
+{
+	int n = l->g.nu*l->g.nv, p, steps = axis ? l->g.nv - 1 : l->g.nu - 1;
+
+	for (p = 0; p < n; p++)
+		f[p] = (axis ? p/l->g.nu : p%l->g.nu)/(double)steps;
+	gridlaplace_apply(l, f, work);
+	negate(n, work);
+	solve(l, plane, f, work);
+	gridlaplace_apply(l, f, work);
+	*energy = field_dot(n, f, work);
+	for (p = 0; p < n; p++)
+		f[p] = f[p]*steps - (axis ? p/l->g.nu : p%l->g.nu);
+}
+
+/* Elsewhere the coordinate is not one field; its difference from that of the grid is. */
+static void
+shift_odd(const GridLaplace *l, const PlaneLaplace *plane, int axis, double *f, double *energy,
+	double *work)
+{
+	size_t n = (size_t)l->g.nu*l->g.nv;
+	double steps = chart_steps(l->g, axis);
+
+	memset(f, 0, n*sizeof *f);
+	apply_coordinate(l, axis, f, work);
+	negate(n, work);
+	solve(l, plane, f, work);
+	*energy = coordinate_energy(l, axis, f)/(steps*steps);
+}
+
+int
+gridlaplace_shift(const GridLaplace *l, int axis, double *shift, double *energy)
+{
+	double *work = malloc(4*(size_t)l->g.nu*l->g.nv*sizeof *work);
 	PlaneLaplace plane;
 	int e = work ? planelaplace_init(&plane, l->g, axis) : GRIDLAPLACE_ENOMEM;
 
 	if (!e) {
-		for (p = 0; p < n; p++)
-			f[p] = axis == 0 ? p%l->g.nu/(l->g.nu - 1.0) : p/l->g.nu/(l->g.nv - 1.0);
-		solve(l, &plane, f, work);
-		gridlaplace_apply(l, f, work);
-		*energy = field_dot(n, f, work);
+		(l->g.kind->folded ? shift_odd : shift_rectangle)(l, &plane, axis, shift, energy, work);
 		planelaplace_free(&plane);
 	}
 	free(work);

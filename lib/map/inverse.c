@@ -17,6 +17,16 @@ clamp(double x, int most)
 	return fmin(fmax(x, 0), most);
 }
 
+/* Keeps x, a coordinate along an axis, between the open sides. */
+static double
+between(Chart g, int axis, double x)
+{
+	const int *joined = g.kind->joined[axis];
+
+	x = joined[0] ? x : fmax(x, 0);
+	return joined[1] ? x : fmin(x, (axis ? g.nv : g.nu) - 1);
+}
+
 /* Iterates x = i - du(x,y), y = j - dv(x,y).  Returns whether the steps shrink to NEAR. */
 static int
 iterate(Chart g, const Shift *s, int i, int j, double *x, double *y)
@@ -28,8 +38,8 @@ iterate(Chart g, const Shift *s, int i, int j, double *x, double *y)
 		Bicubic at = bicubic_at(g, nx, ny);
 
 		ox = nx, oy = ny;
-		nx = clamp(i - bicubic_value(&at, s->du), g.nu - 1);
-		ny = clamp(j - bicubic_value(&at, s->dv), g.nv - 1);
+		nx = between(g, 0, i - bicubic_odd(&at, s->du));
+		ny = between(g, 1, j - bicubic_odd(&at, s->dv));
 		step = hypot(nx - ox, ny - oy);
 		if (step > NEAR && step > CONTRACTION*before)
 			break;
@@ -155,8 +165,8 @@ shift_inverse(Chart g, const Shift *s, double *x, double *y)
 			fill_cell(&v, s, p);
 	for (p = 0; any && p < n; p++)
 		if (isnan(x[p])) {              /* in no image, by rounding or folds */
-			x[p] = clamp(p%g.nu - s->du[p], g.nu - 1);
-			y[p] = clamp(p/g.nu - s->dv[p], g.nv - 1);
+			x[p] = between(g, 0, p%g.nu - s->du[p]);
+			y[p] = between(g, 1, p/g.nu - s->dv[p]);
 		}
 	free(v.failed);
 	return 0;

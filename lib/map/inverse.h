@@ -10,7 +10,8 @@ enum { INVERSE_ENOMEM = -1 };
  * it: x + du(x,y) = i, y + dv(x,y) = j, where du and dv are interpolated by bicubic.h.  Where
  * fixed-point iteration does not contract, as near cells that are folded or much too large for the
  * surface, they are interpolated linearly on the quarters of the cells instead; of several points the
- * one nearest to the node is taken.
+ * one nearest to the node is taken.  du and dv are odd across
+ * a fold (chart.h); the quarters are those of the cells within the grid.
  *
  * x, y  out  [nv][nu]
  *

@@ -7,6 +7,7 @@
 #include "gridlaplace.h"
 #include "inverse.h"
 #include "../grid/lambdah.h"
+#include "../grid/stencil.h"
 #include "polish.h"
 #include "../base/stats.h"
 
@@ -43,18 +44,47 @@ grid_alloc(Grid *a, Chart g)
 	return 0;
 }
 
-int
-grid_init(Grid *a, Chart g, const Sampler *s)
+/* Samples the mesh at the places of the nodes. */
+static int
+sample(const Sampler *s, Grid *a)
 {
-	size_t n = (size_t)g.nu*g.nv, p;
+	int n = a->g.nu*a->g.nv, p, e = POLISH_ENOMEM;
+	double *x = malloc(2*(size_t)n*sizeof *x), *y = x + n;
+
+	if (x) {
+		#pragma omp parallel for schedule(static)
+		for (p = 0; p < n; p++)
+			chartmap_point(&a->map, a->x[p], a->y[p], &x[p], &y[p]);
+		e = sampler_grid(s, a->g, x, y, a->phi) ? POLISH_ENOMEM : 0;
+	}
+	free(x);
+	return e;
+}
+
+/* Whether node p lies on an open side. */
+static int
+on_border(Chart g, int p)
+{
+	return !stencil_is_inner(g, p%g.nu, p/g.nu);
+}
+
+int
+grid_init(Grid *a, const ChartMap *map, int nu, int nv, const Sampler *s)
+{
+	const Chart g = { nu, nv, map->chart_T, map->kind };
+	const int (*joined)[2] = g.kind->joined;
+	int n = nu*nv, p;
 
 	if (grid_alloc(a, g))
 		return POLISH_ENOMEM;
+	a->map = *map;
+	#pragma omp parallel for schedule(static)
 	for (p = 0; p < n; p++) {
-		a->x[p] = (p%g.nu)/(g.nu - 1.0);
-		a->y[p] = g.T*((p/g.nu)/(g.nv - 1.0));
+		chartmap_place(map, (p%nu + 0.5*joined[0][0])/chart_steps(g, 0),
+		    g.T*((p/nu + 0.5*joined[1][0])/chart_steps(g, 1)), &a->x[p], &a->y[p]);
+		chartmap_clamp(map, on_border(g, p), &a->x[p], &a->y[p]);
 	}
-	if (!sampler_grid(s, g, a->x, a->y, a->phi))
+	if (!sample(s, a))
 		return 0;
 	grid_free(a);
 	return POLISH_ENOMEM;
@@ -70,7 +100,6 @@ grid_free(Grid *a)
 static int
 find_shift(const Grid *a, int metric, Shift *s)
 {
-	size_t n = (size_t)a->g.nu*a->g.nv, p;
 	double Ea, Eb;
 	GridLaplace l;
 	int e = gridlaplace_init(&l, a->g, a->phi, metric), e1 = 0;
@@ -80,38 +109,36 @@ find_shift(const Grid *a, int metric, Shift *s)
 #pragma omp parallel sections
 	{
 #pragma omp section
-		e = gridlaplace_harmonic(&l, 0, s->du, &Ea);
+		e = gridlaplace_shift(&l, 0, s->du, &Ea);
 #pragma omp section
-		e1 = gridlaplace_harmonic(&l, 1, s->dv, &Eb);
+		e1 = gridlaplace_shift(&l, 1, s->dv, &Eb);
 	}
 	gridlaplace_free(&l);
 	if (e || e1)
 		return e ? e : e1;
 	s->T = sqrt(Ea/Eb);
-	for (p = 0; p < n; p++) {
-		s->du[p] = s->du[p]*(a->g.nu - 1) - p%a->g.nu;
-		s->dv[p] = s->dv[p]*(a->g.nv - 1) - p/a->g.nu;
-	}
 	return 0;
 }
 
 static int
 resample(const Sampler *sampler, const Grid *a, const Shift *s, Grid *b)
 {
-	int nu = a->g.nu, nv = a->g.nv, p;
+	int n = a->g.nu*a->g.nv, p;
 
 	b->g = a->g;
+	b->map = a->map;
 	b->g.T = s->T;
 	if (shift_inverse(a->g, s, b->x, b->y))
 		return POLISH_ENOMEM;
 	#pragma omp parallel for schedule(static)
-	for (p = 0; p < nu*nv; p++) {
+	for (p = 0; p < n; p++) {
 		Bicubic at = bicubic_at(a->g, b->x[p], b->y[p]);
 
-		b->x[p] = fmin(fmax(bicubic_value(&at, a->x), 0), 1);
-		b->y[p] = fmin(fmax(bicubic_value(&at, a->y), 0), sampler->l.T);
+		b->x[p] = bicubic_value(&at, a->x);
+		b->y[p] = bicubic_value(&at, a->y);
+		chartmap_clamp(&a->map, on_border(a->g, p), &b->x[p], &b->y[p]);
 	}
-	return sampler_grid(sampler, b->g, b->x, b->y, b->phi) ? POLISH_ENOMEM : 0;
+	return sample(sampler, b);
 }
 
 /* The mean modulus of the Beltrami coefficient.  mu: workspace, one number for each inner node. */
@@ -119,7 +146,7 @@ static double
 mean_beltrami(const Grid *a, double *mu)
 {
 	beltrami(a->g, (const double *const *)a->phi, mu);
-	return stats_mean((size_t)(a->g.nu - 2)*(a->g.nv - 2), mu);
+	return stats_mean(stencil_inner_count(a->g), mu);
 }
 
 /* A grid and the points that move with it. */
@@ -161,6 +188,7 @@ state_copy(const State *from, State *to)
 	size_t n = (size_t)from->grid.g.nu*from->grid.g.nv;
 
 	to->grid.g = from->grid.g;
+	to->grid.map = from->grid.map;
 	to->mean = from->mean;
 	memcpy(to->grid.x, from->grid.x, 5*n*sizeof(double));
 	copy_points(from->n, from->pu, from->pv, to);

@@ -1,7 +1,7 @@
 /* polish.h - makes a nearly conformal grid conformal (doc/mathematics.md 3.7).
  *
  * The grid is itself a surface, and is mapped conformally once more, with its own metric
- * (gridlaplace.h): the functions a and b, with values 0..1, are harmonic on it, and
+ * (gridlaplace.h): the coordinates a and b, with values 0..1, are harmonic on it, and
  * T = sqrt(E(a)/E(b)).  The map (u,v) -> (a, T b) is near the identity.  Its inverse gives the
  * place of each new node on the old grid, and so in the chart of the mesh; there the mesh is
  * sampled again.
@@ -10,19 +10,21 @@
 #define POLISH_H
 
 #include "../sample/sampler.h"
+#include "chartmap.h"
 
 enum { POLISH_ENOMEM = -1 };
 
 /* A surface sampled on a grid, with the place of each sample. */
 typedef struct Grid {
-	Chart   g;
-	double *x, *y;          /* [nv][nu] place of each node in the chart of the mesh */
+	Chart    g;
+	ChartMap map;           /* where places lie on the rectangle of the mesh */
+	double *x, *y;          /* [nv][nu] place of each node */
 	double *phi[3];         /* [nv][nu] position of each node */
 } Grid;
 
-/* Samples s on the nodes (23) of its chart [0,1] x [0,g.T].  g.nu, g.nv >= 4.
- * Returns 0 or POLISH_ENOMEM. */
-int  grid_init(Grid *a, Chart g, const Sampler *s);
+/* Samples s on the nodes (23) of a chart of nu x nv nodes, nu, nv >= 4; on a sock nu, nv >= 6.  s is over
+ * the rectangle of the map.  Returns 0 or POLISH_ENOMEM. */
+int  grid_init(Grid *a, const ChartMap *map, int nu, int nv, const Sampler *s);
 void grid_free(Grid *a);
 
 /* Polishes the grid in at most `rounds` rounds.  Stops earlier if rounds gain nothing more, or if

@@ -5,10 +5,37 @@
 
 #include "planelaplace.h"
 
+/* Whether fields are those of the doubled grid of a sock. */
 static int
-eigenvalues(PlaneLaplace *p, int axis, double step, int cells)
+is_folded(const PlaneLaplace *p)
 {
-	int k, sines = axis == p->axis;
+	return p->g.kind->folded;
+}
+
+/* Steps along an axis: of the period, or between the sides. */
+static int
+cells(const PlaneLaplace *p, int axis)
+{
+	if (is_folded(p))
+		return axis ? 2*p->g.nv - 1 : p->g.nu;
+	return (axis ? p->g.nv : p->g.nu) - 1;
+}
+
+/* The phase per step of wave k along an axis; in the half-complex order along a period. */
+static double
+phase(const PlaneLaplace *p, int axis, int k)
+{
+	int n = cells(p, axis);
+
+	if (is_folded(p) && axis == 0)
+		return 2*M_PI*(k < n - k ? k : n - k)/n;
+	return M_PI*(k + (axis == p->axis))/n;
+}
+
+static int
+eigenvalues(PlaneLaplace *p, int axis, double step)
+{
+	int k;
 	double t;
 
 	p->stiff[axis] = malloc(p->n[axis]*sizeof(double));
@@ -16,7 +43,7 @@ eigenvalues(PlaneLaplace *p, int axis, double step, int cells)
 	if (!p->stiff[axis] || !p->mass[axis])
 		return PLANELAPLACE_ENOMEM;
 	for (k = 0; k < p->n[axis]; k++) {
-		t = M_PI*(k + sines)/cells;
+		t = phase(p, axis, k);
 		p->stiff[axis][k] = (2 - 2*cos(t))/step;
 		p->mass[axis][k] = (4 + 2*cos(t))*step/6;
 	}
@@ -28,14 +55,28 @@ planelaplace_free(PlaneLaplace *p)
 {
 	int a;
 
-	if (p->plan) {
-#pragma omp critical(planelaplace_plan)
-		fftw_destroy_plan(p->plan);
-	}
-	free(p->work);
 	for (a = 0; a < 2; a++) {
+		if (p->plan[a]) {
+#pragma omp critical(planelaplace_plan)
+			fftw_destroy_plan(p->plan[a]);
+		}
 		free(p->stiff[a]);
 		free(p->mass[a]);
+	}
+	free(p->work);
+}
+
+static void
+make_plans(PlaneLaplace *p)
+{
+	fftw_r2r_kind v = p->axis == 1 ? FFTW_RODFT00 : FFTW_REDFT00, u = p->axis == 0 ? FFTW_RODFT00 : FFTW_REDFT00;
+	int k;
+
+	for (k = 0; k < 2; k++) {
+		if (is_folded(p))
+			u = k ? FFTW_HC2R : FFTW_R2HC;
+#pragma omp critical(planelaplace_plan)
+		p->plan[k] = fftw_plan_r2r_2d(p->n[1], p->n[0], p->work, p->work, v, u, FFTW_ESTIMATE);
 	}
 }
 
@@ -45,54 +86,66 @@ planelaplace_init(PlaneLaplace *p, Chart g, int axis)
 	size_t bytes;
 	int e;
 
-	*p = (PlaneLaplace){ .g = g, .axis = axis, .i0 = axis == 0, .j0 = axis == 1 };
+	*p = (PlaneLaplace){ .g = g, .axis = axis, .j0 = axis == 1 };
+	p->i0 = axis == 0 && !is_folded(p);
 	p->n[0] = g.nu - 2*p->i0;
-	p->n[1] = g.nv - 2*p->j0;
+	p->n[1] = (is_folded(p) ? 2*g.nv : g.nv) - 2*p->j0;
 	bytes = (size_t)p->n[0]*p->n[1]*sizeof(double);
 	p->work = aligned_alloc(64, (bytes + 63)/64*64);
-	e = p->work ? eigenvalues(p, 0, chart_h(g), g.nu - 1) : PLANELAPLACE_ENOMEM;
+	e = p->work ? eigenvalues(p, 0, chart_h(g)) : PLANELAPLACE_ENOMEM;
 	if (!e)
-		e = eigenvalues(p, 1, chart_k(g), g.nv - 1);
-	if (!e) {
-#pragma omp critical(planelaplace_plan)
-		p->plan = fftw_plan_r2r_2d(p->n[1], p->n[0], p->work, p->work,
-		    axis == 1 ? FFTW_RODFT00 : FFTW_REDFT00,
-		    axis == 0 ? FFTW_RODFT00 : FFTW_REDFT00, FFTW_ESTIMATE);
-	}
-	if (!e && !p->plan)
+		e = eigenvalues(p, 1, chart_k(g));
+	if (!e)
+		make_plans(p);
+	if (!e && !(p->plan[0] && p->plan[1]))
 		e = PLANELAPLACE_ENOMEM;
 	if (e)
 		planelaplace_free(p);
 	return e;
 }
 
-/* Let the columns of B be the eigenvectors, products of sines and cosines.  They are orthogonal
- * with the weights W, which are 1/2 at free ends and 1 elsewhere.  Then P = W B Lambda B^-1, and z
- * = B Lambda^-1 B' r up to a norm.  FFTW's transforms double every term except those at free ends.
- * To undo this, r is divided by 4, and multiplied by 2 at free ends. */
+/* The right-hand side at node (i,j) of the workspace; on the doubled grid of a sock r is odd. */
+static double
+value_at(const PlaneLaplace *p, const double *r, int i, int j)
+{
+	int nu = p->g.nu, nv = p->g.nv;
+
+	i += p->i0, j += p->j0;
+	if (!is_folded(p))
+		return r[(size_t)j*nu + i];
+	return j < nv ? -r[(size_t)(nv - 1 - j)*nu + nu - 1 - i] : r[(size_t)(j - nv)*nu + i];
+}
+
+/* Let the columns of B be the eigenvectors.  They are orthogonal with the weights W, which are 1/2 at
+ * free ends and 1 elsewhere.  Then P = W B Lambda B^-1, and z = B Lambda^-1 B' r up to a norm.  FFTW's
+ * sine and cosine transforms double every term except those at free ends.  To undo this, r is divided
+ * by 2 for each, and multiplied by 2 at free ends.  The constant, whose eigenvalue may be 0, is no odd
+ * field. */
 void
 planelaplace_solve(const PlaneLaplace *p, const double *r, double *z)
 {
-	double norm = (p->g.nu - 1.0)*(p->g.nv - 1.0);
-	int i, j, nu = p->n[0], nv = p->n[1];
-	size_t q, node;
+	double norm = (double)cells(p, 0)*cells(p, 1), part = is_folded(p) ? 0.5 : 0.25, e;
+	int i, j, nu = p->n[0], nv = p->n[1], fold = is_folded(p) ? p->g.nv : 0;
+	size_t q;
 
 	for (q = 0, j = 0; j < nv; j++)
 		for (i = 0; i < nu; i++, q++) {
-			node = (size_t)(j + p->j0)*p->g.nu + i + p->i0;
-			p->work[q] = r[node]/4;
-			if (p->axis == 1 && (i == 0 || i == nu - 1))
+			p->work[q] = value_at(p, r, i, j)*part;
+			if (p->axis == 1 && !is_folded(p) && (i == 0 || i == nu - 1))
 				p->work[q] *= 2;
 			if (p->axis == 0 && (j == 0 || j == nv - 1))
 				p->work[q] *= 2;
 		}
-	fftw_execute(p->plan);
+	fftw_execute(p->plan[0]);
 	for (q = 0, j = 0; j < nv; j++)
-		for (i = 0; i < nu; i++, q++)
-			p->work[q] /= norm*(p->stiff[0][i]*p->mass[1][j] + p->mass[0][i]*p->stiff[1][j]);
-	fftw_execute(p->plan);
+		for (i = 0; i < nu; i++, q++) {
+			e = p->stiff[0][i]*p->mass[1][j] + p->mass[0][i]*p->stiff[1][j];
+			p->work[q] = e > 0 ? p->work[q]/(norm*e) : 0;
+		}
+	fftw_execute(p->plan[1]);
 	memset(z, 0, (size_t)p->g.nu*p->g.nv*sizeof *z);
 	for (q = 0, j = 0; j < nv; j++)
 		for (i = 0; i < nu; i++, q++)
-			z[(size_t)(j + p->j0)*p->g.nu + i + p->i0] = p->work[q];
+			if (j + p->j0 >= fold)
+				z[(size_t)(j + p->j0 - fold)*p->g.nu + i + p->i0] = p->work[q];
 }

@@ -16,17 +16,6 @@
 
 enum { WIDTH = 8 };             /* columns copied at a time: a row of them is one cache line */
 
-double *
-plate_eigenvalues(int n, int first, double period, double step)
-{
-	double *e = malloc(n*sizeof *e);
-	int k;
-
-	for (k = 0; e && k < n; k++)
-		e[k] = (2 - 2*cos(2*M_PI*(k + first)/period))/(step*step);
-	return e;
-}
-
 /* How many of n nodes along u or v are unknowns. */
 static int
 unknown(const Plate *p, int n)

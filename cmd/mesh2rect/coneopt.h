@@ -1,0 +1,15 @@
+/* coneopt.h - the options --chart and --cones of mesh2rect. */
+#ifndef CMD_CONEOPT_H
+#define CMD_CONEOPT_H
+
+#include "../../format/lhg.h"
+#include "../../lib/map/conformal.h"
+
+/* Sets cone to two inner vertices of d, or dies.  arg NULL or "auto": -1, -1, chosen by lib/map/cones.h;
+ * "I,J": vertices by their number in the file; "x,y,z;x,y,z": the vertices nearest to these points. */
+void opt_cones(const char *arg, const Disk *d, int cone[2]);
+
+/* Adds the metadata of a sock. */
+void cones_meta(Lhg *out, const Disk *d, const Conformal *c);
+
+#endif
