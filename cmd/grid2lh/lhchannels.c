@@ -99,8 +99,10 @@ lhchannels(const CmdInput *in, Lhg *g, int curvature, int lattice, int place, in
 	if (residual && curvature == LAMBDAH_NORMAL && !flaws.raised)
 		exact_promise(g);
 	add_positions(g, "band", LHG_BORDER, BAND, phi);
-	if (lattice)
+	if (lattice && lhg_count(g, LHG_LATTICE, 1))
 		add_positions(g, "start", LHG_LATTICE, lattice_step(g, lattice), phi);
+	else if (lattice)
+		add_positions(g, "start", LHG_GRID, 0, phi);
 	place_drop(g);
 	if (place)
 		add_positions(g, "place", LHG_GRID, 0, phi);

@@ -18,7 +18,8 @@ static const double FINEST = 0.0025, RELIEF_LAMBDA = 0.005;
 static const double LEAST = 1e-4, MOST = 1e4;   /* of L and TAU over sqrt(area) */
 
 enum {
-	BORDERED = 4,           /* fields that are filtered less their border parts: log lambda, x, y, z */
+	BORDERED = 4,           /* fields that are filtered less their border parts: log(lambda/lambda0),
+	                         * x, y, z */
 	FIELDS                  /* and H */
 };
 
@@ -27,7 +28,7 @@ typedef struct Own {
 	Lhg    *g;
 	Chart   chart;
 	size_t  n;
-	double *lambda, *H, *place[3];
+	double *lambda, *H, *place[3], *lambda0;        /* lambda0: of chart_round */
 	int     placed;                 /* there is a place */
 	double  root;                   /* sqrt(area) */
 	double *less[BORDERED], *part[BORDERED];        /* fields less their border parts; these */
@@ -52,7 +53,7 @@ length_of(const Own *o, const Scales *s, int k)
 	return x;
 }
 
-/* Splits log lambda and the place into border parts and the rest. */
+/* Splits log(lambda/lambda0) and the place into border parts and the rest. */
 static void
 split(Own *o)
 {
@@ -68,7 +69,7 @@ split(Own *o)
 	}
 	memset(log_lambda, 0, 2*BORDERED*o->n*sizeof *log_lambda);
 	for (p = 0; p < o->n; p++)
-		log_lambda[p] = log(o->lambda[p]);
+		log_lambda[p] = log(o->lambda[p]/o->lambda0[p]);
 	if (border_part(o->chart, 1, f, o->part) || (o->placed && border_part(o->chart, 3, f + 1, o->part + 1)))
 		no_memory(o);
 	for (c = 0; c < BORDERED && (c == 0 || o->placed); c++)
@@ -83,7 +84,7 @@ join(Own *o)
 	int c;
 
 	for (p = 0; p < o->n; p++)
-		o->lambda[p] = exp(o->part[0][p] + o->less[0][p]);
+		o->lambda[p] = exp(o->part[0][p] + o->less[0][p])*o->lambda0[p];
 	for (c = 1; c < BORDERED && o->placed; c++)
 		for (p = 0; p < o->n; p++)
 			o->place[c-1][p] = o->part[c][p] + o->less[c][p];
@@ -182,6 +183,8 @@ ownmetric_apply(const Scales *s, int k, ScalesBefore before, const CmdInput *in,
 	if (g->nu < 3 || g->nv < 3)
 		die("%s: %d x %d nodes, --%s needs at least 3 x 3", in->name, g->nu, g->nv, s->option);
 	claim(in->name, "the filter", (double)o.n, 8*(s->way == SCALES_RELIEF ? 60 : 47));
+	o.lambda0 = cmd_alloc(o.n, sizeof *o.lambda0);
+	chart_round(o.chart, o.lambda0);
 	o.placed = place_of(in, g, o.place);
 	if (s->way == SCALES_RELIEF && !o.placed)
 		cmd_need(in, g, PLACE[0], LHG_GRID);
@@ -197,4 +200,5 @@ ownmetric_apply(const Scales *s, int k, ScalesBefore before, const CmdInput *in,
 	set_metadata(&o, s, k, before, L);
 	lowpass_free(&o.held);
 	lowpass_free(&o.free);
+	free(o.lambda0);
 }

@@ -11,6 +11,7 @@
 #include "ownmetric.h"
 #include "scales.h"
 
+static const double RING = 1.5;         /* steps */
 static const char ways[] = "need exactly one of --scale=L, --relief=TAU, -K X, --raw -K X, --keep=N, "
     "--energy=SHARE, --low-pass=R";
 
@@ -138,6 +139,14 @@ filter(const CmdInput *in, const Lhg *g, const char *name, double *f, SpectrumBa
 	return changed;
 }
 
+void
+scales_need_basis(const Scales *s, const CmdInput *in, const Lhg *g)
+{
+	if (!spectrum_exists((Spectrum){ s->basis, chart_of(g) }))
+		die("%s: a %s is not periodic along v, so it has no exponentials: --basis=dct", in->name,
+			lhg_chartname(g->chart));
+}
+
 double
 scales_need(const CmdInput *in, const Lhg *g)
 {
@@ -191,6 +200,56 @@ scales_before(const Lhg *g)
 	return (ScalesBefore){ positive(g, "waves"), positive(g, "scale") };
 }
 
+double *
+scales_ratio(const CmdInput *in, const Lhg *g)
+{
+	size_t n = (size_t)g->nu*g->nv, p;
+	double *lambda = cmd_need(in, g, "lambda", LHG_GRID), *ratio = cmd_alloc(n, sizeof *ratio);
+
+	chart_round(chart_of(g), ratio);
+	for (p = 0; p < n; p++)
+		ratio[p] = lambda[p]/ratio[p];
+	return ratio;
+}
+
+static int
+filter_lambda(const Scales *s, const CmdInput *in, Lhg *g, Filter by, size_t *most)
+{
+	size_t n = (size_t)g->nu*g->nv, p;
+	double *lambda = lhg_find(g, "lambda")->f, *ratio = scales_ratio(in, g), *lambda0;
+	int changed = filter(in, g, "lambda", ratio, s->basis, by, most);
+
+	lambda0 = cmd_alloc(n, sizeof *lambda0);
+	chart_round(chart_of(g), lambda0);
+	for (p = 0; changed && p < n; p++)
+		lambda[p] = ratio[p]*lambda0[p];
+	free(lambda0);
+	free(ratio);
+	return changed;
+}
+
+/* Beside a cone lambda is small, so the ripples of the filtered lambda H would be large in H.  Within a
+ * quarter of the shortest wave, but at least RING steps, H is set to its mean on a ring round that. */
+static void
+calm_cones(Chart g, double waves, const double *lambda, double *H)
+{
+	double R = fmax(0.25/waves, RING*chart_h(g)), sum, area, d;
+	int p, c, n = g.nu*g.nv;
+
+	for (c = 0; c < g.kind->cones; c++) {
+		for (sum = area = 0, p = 0; p < n; p++) {
+			d = chart_from_cone(g, c, p);
+			if (d >= R && d < R + RING*chart_h(g)) {
+				sum += lambda[p]*lambda[p]*H[p];
+				area += lambda[p]*lambda[p];
+			}
+		}
+		for (p = 0; p < n && area > 0; p++)
+			if (chart_from_cone(g, c, p) < R)
+				H[p] = sum/area;
+	}
+}
+
 /* A field whose coefficients are all kept does not change, not even in its last bits.  The number of
  * waves, in cycles per width, is the radius of the quarter disk of wave numbers that contains as many
  * cosines, pi waves^2 T, as the filter kept.  The place does not belong to the changed lambda and H, so
@@ -203,13 +262,14 @@ drop_coefficients(const Scales *s, int k, ScalesBefore before, const CmdInput *i
 	double floor = scales_need(in, g), K = s->bound[k], *lambda = lhg_find(g, "lambda")->f;
 	double *H = lhg_find(g, "H")->f, *f = scales_curvature(s, in, g);
 
-	changed = filter(in, g, "lambda", lambda, s->basis,
-	    (Filter){ s->rule, s->lambda >= 0 ? s->lambda : K, s->log }, &most);
+	scales_need_basis(s, in, g);
+	changed = filter_lambda(s, in, g, (Filter){ s->rule, s->lambda >= 0 ? s->lambda : K, s->log }, &most);
 	if (!s->log)
 		clamp(in, g, floor);
 	if (filter(in, g, scales_name(s), f, s->basis, (Filter){ s->rule, s->H >= 0 ? s->H : K, 0 }, &most)) {
 		for (p = 0; p < n; p++)
 			H[p] = s->bending ? f[p]/lambda[p] : f[p];
+		calm_cones(chart_of(g), sqrt((double)most/(M_PI*g->T)), lambda, H);
 		changed = 1;
 	}
 	free(f);

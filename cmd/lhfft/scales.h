@@ -59,4 +59,11 @@ void scales_set_waves(Lhg *g, ScalesBefore before, double waves);
  * or if there are several scales.  before: the metadata of the input. */
 void scales_apply(const Scales *s, int k, ScalesBefore before, const CmdInput *in, Lhg *g);
 
+/* lambda over the conformal factor of a round surface on the chart, to be freed; on the rectangle lambda.
+ * This is what is filtered: at the cones of a sock lambda goes to 0, the ratio does not. */
+double *scales_ratio(const CmdInput *in, const Lhg *g);
+
+/* Dies if the chart of g has no waves of the basis of s. */
+void scales_need_basis(const Scales *s, const CmdInput *in, const Lhg *g);
+
 #endif

@@ -30,12 +30,14 @@ void
 spectable_write(const char *file, const CmdInput *in, const Lhg *g, const Scales *s)
 {
 	Spectrum space = { s->basis, chart_of(g) };
-	double *f = scales_curvature(s, in, g), *H = spectrum_of(space, in, scales_name(s), f, 0);
-	double *lambda = spectrum_of(space, in, "lambda", cmd_need(in, g, "lambda", LHG_GRID), s->log);
+	double *f = scales_curvature(s, in, g), *r = scales_ratio(in, g), *H, *lambda;
 	int m, n;
 	CmdText t;
 	size_t q;
 
+	scales_need_basis(s, in, g);
+	H = spectrum_of(space, in, scales_name(s), f, 0);
+	lambda = spectrum_of(space, in, "lambda", r, s->log);
 	cmd_text_open(&t);
 	fprintf(t.f, "m\tn\twave\tlambda\t%s\n", scales_name(s));
 	for (q = 0; q < spectrum_size(space); q++) {
@@ -48,4 +50,5 @@ spectable_write(const char *file, const CmdInput *in, const Lhg *g, const Scales
 	free(lambda);
 	free(H);
 	free(f);
+	free(r);
 }

@@ -1,4 +1,5 @@
 /* chart.c - the kinds of charts. */
+#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -97,4 +98,26 @@ chart_kind(const char *name)
 		if (strcmp(name, kind[i]->name) == 0)
 			return kind[i];
 	return NULL;
+}
+
+void
+chart_round(Chart g, double *lambda0)
+{
+	int p;
+
+	if (g.kind->round)
+		g.kind->round(g, lambda0);
+	else
+		for (p = 0; p < g.nu*g.nv; p++)
+			lambda0[p] = 1;
+}
+
+double
+chart_from_cone(Chart g, int c, int p)
+{
+	double du = fabs(chart_u(g, p%g.nu) - g.kind->cone[c][0]);
+
+	if (g.kind->joined[0][0])
+		du = fmin(du, fabs(1 - du));
+	return hypot(du, chart_v(g, p/g.nu) - g.kind->cone[c][1]);
 }

@@ -61,6 +61,12 @@ extern const ChartKind CHART_RECTANGLE, CHART_SOCK;
 /* The kind of that name, or NULL. */
 const ChartKind *chart_kind(const char *name);
 
+/* Sets lambda0[nv][nu] to the conformal factor of the round surface of ChartKind.round, or to 1. */
+void chart_round(Chart g, double *lambda0);
+
+/* The distance, in units of u, of the node p from cone number c. */
+double chart_from_cone(Chart g, int c, int p);
+
 /* The number of grid steps across the domain along u (axis 0) or v (axis 1). */
 static inline double
 chart_steps(Chart g, int axis)

@@ -8,7 +8,7 @@
 #include "cones.h"
 
 enum {
-	PARTS  = 1024,
+	PARTS  = 16384,
 	STARTS = 6,
 	ROUNDS = 4,             /* of the simplex, each about the best pair so far */
 	STEPS  = 200,           /* of a round */
