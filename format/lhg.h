@@ -170,10 +170,13 @@ int lhg_read(LhgStream *s, Lhg *g);
  * negative code; after LHG_EIO the stream is to be given up. */
 int lhg_write(LhgStream *s, const Lhg *g);
 
+/* The version of LHG.md that a reader of g must know. */
+int lhg_version(const Lhg *g);
+
 /* Between two sets: write line 1 of the header of the next grid now; lhg_write will leave it out.
  * If the writer fails, or is killed, before that grid is complete, readers then see that the stream
- * is not complete.  version: that of the next grid, 1 on the rectangle and 2 on other charts; lhg_write
- * returns LHG_EORDER for a grid of the other.  Returns 0 or LHG_EIO. */
+ * is not complete.  version: that of the next grid; lhg_write returns
+ * LHG_EORDER for a grid of another.  Returns 0 or LHG_EIO. */
 int lhg_begin_next(LhgStream *s, int version);
 
 #ifdef __cplusplus

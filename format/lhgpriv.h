@@ -27,9 +27,6 @@ int lhg_failio(LhgStream *s, const Lhg *g, const char *what);
  * LHG_EORDER. */
 int lhg_checkorder(LhgStream *s, const Lhg *g);
 
-/* The version of LHG.md that a reader of g must know. */
-int lhg_version(const Lhg *g);
-
 /* The CRC that line 4 of the next header repeats. */
 uint32_t lhg_lastcrc(const LhgStream *s);
 

@@ -7,7 +7,7 @@
 
 /* The detail of a key frame; detail is NULL before the first key frame. */
 typedef struct Key {
-	int     nu, nv;
+	int     nu, nv, chart;
 	double *detail;         /* [3][nv][nu] */
 } Key;
 
@@ -18,15 +18,15 @@ detail_length(const Lhg *g)
 }
 
 static int
-same_size(const Key *k, const Lhg *g)
+same_grid(const Key *k, const Lhg *g)
 {
-	return k->detail && k->nu == g->nu && k->nv == g->nv;
+	return k->detail && k->nu == g->nu && k->nv == g->nv && k->chart == g->chart;
 }
 
 static Key
 convert_key(const CmdInput *in, Lhg *g, int every, SurfaceFit o, KeyframesConvert *convert)
 {
-	Key k = { g->nu, g->nv, NULL };
+	Key k = { g->nu, g->nv, g->chart, NULL };
 
 	claim(in->name, "the detail of key frames", (double)g->nu*g->nv, 8*(40 + 2.0*every));
 	o.detail = k.detail = cmd_alloc(detail_length(g), sizeof *k.detail);
@@ -41,7 +41,7 @@ convert_between(const CmdInput *in, Lhg *g, const Key *a, const Key *b, double t
 {
 	size_t n = detail_length(g), p;
 
-	if (same_size(a, g) && same_size(b, g)) {
+	if (same_grid(a, g) && same_grid(b, g)) {
 		o.forecast = cmd_alloc(n, sizeof *o.forecast);
 		for (p = 0; p < n; p++)
 			o.forecast[p] = (1 - t)*a->detail[p] + t*b->detail[p];
@@ -74,7 +74,7 @@ keyframes(CmdInput *in, int every, const SurfaceFit *o, KeyframesConvert *conver
 		for (i = 0; i < n; i++) {
 			if (i < n - 1)
 				convert_between(in, &g[i], &last, &next, (i + 1.0)/n, *o, convert);
-			cmd_pass(in, &g[i]);
+			cmd_pass_ahead(in, &g[i], i + 1 < n ? &g[i+1] : NULL);
 			lhg_free(&g[i]);
 		}
 		free(last.detail);

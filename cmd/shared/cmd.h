@@ -97,9 +97,11 @@ int  cmd_open_or_slurp(CmdInput *in, const char *path, CmdLook *look, char **byt
 /* Write g to -o or stdout, with the step of this command in its history.  cmd_pass is for a stage
  * that writes one grid for each grid of in: after the last frame of a set, if in has more, it also
  * begins the next header, so that the output is incomplete if this stage then fails or is
- * killed. */
+ * killed.  cmd_pass_ahead is for one that reads ahead: `next` is the grid after g, or NULL if in has not
+ * been read beyond g. */
 void cmd_write(Lhg *g);
 void cmd_pass(const CmdInput *in, Lhg *g);
+void cmd_pass_ahead(const CmdInput *in, Lhg *g, const Lhg *next);
 
 /* Write bytes (not a grid) to path, or to -o or stdout if path is NULL.  One output is open at a
  * time. */

@@ -218,12 +218,19 @@ cmd_write(Lhg *g)
 }
 
 void
+cmd_pass_ahead(const CmdInput *in, Lhg *g, const Lhg *next)
+{
+	int version = next ? lhg_version(next) : in->s.ahead;
+
+	cmd_write(g);
+	if (g->frame == g->frames && version > 0 && lhg_begin_next(&output.grids, version))
+		die("%s: %s", output.out.path, output.grids.err);
+}
+
+void
 cmd_pass(const CmdInput *in, Lhg *g)
 {
-	cmd_write(g);
-	if (g->frame == g->frames && in->s.grids + (in->s.ahead > 0) > output.grids.grids
-	    && lhg_begin_next(&output.grids, in->s.ahead))
-		die("%s: %s", output.out.path, output.grids.err);
+	cmd_pass_ahead(in, g, NULL);
 }
 
 void
