@@ -2,7 +2,7 @@
 #include "cmock.h"
 
 #include "../lib/grid/resample.h"
-#include "surfaces.h"
+#include "sockcap.h"
 
 static const double WHOLE[2] = { 1, 1 };
 
@@ -104,6 +104,35 @@ means_drop_alternating_fields(void **state)
 			assert_true(fabs(e[j*12+i]) < 1e-14);
 }
 
+enum { SIDE = 160*65 };
+
+/* The largest error of the height of a cap, resampled to a sock with nu columns from one with a third
+ * fewer (cubic), or from a finer one (mean).  The height is smooth across the fold. */
+static double
+error_on_the_sock(int nu, int mean)
+{
+	static double f[3*SIDE], e[SIDE], want[3*SIDE];
+	int other = mean ? nu*2 : nu*2/3/2*2;
+	Chart from = { other, other/2 + 1, 0.5, &CHART_SOCK }, to = { nu, nu/2 + 1, 0.5, &CHART_SOCK };
+
+	sample_sockcap(from, 1, (double *[3]){ f + SIDE, f + 2*SIDE, f }, NULL, NULL);
+	sample_sockcap(to, 1, (double *[3]){ want + SIDE, want + 2*SIDE, want }, NULL, NULL);
+	if (mean)
+		assert_int_equal(resample_mean(from, f, to, e), 0);
+	else
+		assert_int_equal(resample_cubic(from, WHOLE, f, to, e), 0);
+	return largest((size_t)to.nu*to.nv, e, want);
+}
+
+/* The error is of fourth order for interpolation and of second order for means, across joined sides too. */
+static void
+errors_on_the_sock_have_their_order(void **state)
+{
+	(void)state;
+	assert_true(error_on_the_sock(60, 0) < error_on_the_sock(30, 0)/12);
+	assert_true(error_on_the_sock(60, 1) < error_on_the_sock(30, 1)/3.5);
+}
+
 int
 main(void)
 {
@@ -112,6 +141,7 @@ main(void)
 		cmocka_unit_test(shared_nodes_keep_their_bits),
 		cmocka_unit_test(means_keep_what_is_straight),
 		cmocka_unit_test(means_drop_alternating_fields),
+		cmocka_unit_test(errors_on_the_sock_have_their_order),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

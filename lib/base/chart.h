@@ -25,7 +25,7 @@ typedef struct ChartKind {
 	const char *name;       /* as in .lhg files and options */
 	int joined[2][2];       /* 1: joined.  [0]: sides u = 0, u = 1; [1]: v = 0, v = T */
 
-	/* Replaces (*i,*j), a place up to two steps beyond joined sides, by the node of the grid
+	/* Replaces (*i,*j), a place a few steps beyond joined sides, by the node of the grid
 	 * that is glued to it.  Returns 1, or -1 if the directions of u and v are both reversed
 	 * there, so that odd fields such as phi_u change their sign.  NULL if no side is joined. */
 	int (*beyond)(Chart g, int *i, int *j);

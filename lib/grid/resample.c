@@ -1,11 +1,17 @@
-/* resample.c - separable interpolation and averaging between grids. */
+/* resample.c - separable interpolation and averaging between grids.
+ *
+ * A grid with joined sides is first extended beyond them, by as many nodes as the weights reach; then it
+ * is a rectangle like any other.
+ */
 #include <math.h>
 #include <stdlib.h>
 
 #include "resample.h"
+#include "stencil.h"
 
 /* Weights along one axis, for n new samples: e_i is the sum over k < count[i] of
- * weight[i*most + k] f[first[i] + k]. */
+ * weight[i*most + k] f[first[i] + k].  Nodes beyond joined sides have numbers below 0, or from the number
+ * of nodes on. */
 typedef struct Axis {
 	int     n, most;
 	int    *first, *count;
@@ -29,20 +35,27 @@ axis_init(Axis *a, int n, int most)
 	return a->first && a->count && a->weight ? 0 : RESAMPLE_ENOMEM;
 }
 
+static int
+nodes_along(Chart g, int axis)
+{
+	return axis ? g.nv : g.nu;
+}
+
 /* Computes the weights of Lagrange interpolation from four nodes round each new node (from all nodes,
  * if there are fewer). */
 static int
-cubic_axis(Axis *a, int from, double end, int to)
+cubic_axis(Axis *a, Chart from, double end, Chart to, int axis)
 {
-	int points = from < 4 ? from : 4, i, k, l;
-	double x;
+	const int *joined = from.kind->joined[axis];
+	int nodes = nodes_along(from, axis), points = nodes < 4 ? nodes : 4, i, k, l;
+	double half = joined[0]*0.5, x;
 
-	if (axis_init(a, to, 4))
+	if (axis_init(a, nodes_along(to, axis), 4))
 		return RESAMPLE_ENOMEM;
-	for (i = 0; i < to; i++) {
-		x = i*(from - 1.0)/((to - 1.0)*end);
+	for (i = 0; i < a->n; i++) {
+		x = (i + half)*chart_steps(from, axis)/(chart_steps(to, axis)*end) - half;
 		k = (int)floor(x) - (points - 1)/2;
-		k = k < 0 ? 0 : k > from - points ? from - points : k;
+		k = k < 0 && !joined[0] ? 0 : k > nodes - points && !joined[1] ? nodes - points : k;
 		a->first[i] = k;
 		a->count[i] = points;
 		for (k = 0; k < points; k++)
@@ -53,20 +66,28 @@ cubic_axis(Axis *a, int from, double end, int to)
 	return 0;
 }
 
+/* Whether node i along the axis lies on an open side. */
 static int
-mean_axis(Axis *a, int from, int to)
+on_open_side(Chart g, int axis, int i)
 {
-	double ratio = (from - 1.0)/(to - 1.0), x, sum;
-	int most = 2*(int)ceil(ratio) + 1, i, k, last;
+	return (i == 0 && !g.kind->joined[axis][0]) || (i == nodes_along(g, axis) - 1 && !g.kind->joined[axis][1]);
+}
 
-	if (axis_init(a, to, most))
+static int
+mean_axis(Axis *a, Chart from, Chart to, int axis)
+{
+	double ratio = chart_steps(from, axis)/chart_steps(to, axis), half = from.kind->joined[axis][0]*0.5, x, sum;
+	int most = 2*(int)ceil(ratio) + 1, i, k, last, open;
+
+	if (axis_init(a, nodes_along(to, axis), most))
 		return RESAMPLE_ENOMEM;
-	for (i = 0; i < to; i++) {
+	for (i = 0; i < a->n; i++) {
 		double *w = a->weight + (size_t)i*most;
 
-		x = i == to - 1 ? from - 1 : i*ratio;
-		k = i == 0 || i == to - 1 ? (int)x : (int)floor(x - ratio) + 1;
-		last = i == 0 || i == to - 1 ? (int)x : (int)ceil(x + ratio) - 1;
+		open = on_open_side(to, axis, i);
+		x = open && i > 0 ? nodes_along(from, axis) - 1 : (i + half)*ratio - half;
+		k = open ? (int)x : (int)floor(x - ratio) + 1;
+		last = open ? (int)x : (int)ceil(x + ratio) - 1;
 		a->first[i] = k;
 		a->count[i] = last - k + 1;
 		for (sum = 0; k <= last; k++)
@@ -91,29 +112,69 @@ apply(const Axis *a, const double *f, long fstep, double *e, long estep)
 	}
 }
 
+/* How many nodes beyond the sides of the grid the weights reach. */
 static int
-apply_both(Axis *u, Axis *v, int e, int fnu, int fnv, const double *f, double *out)
+reach(const Axis *a, int nodes)
 {
-	double *half = e ? NULL : malloc((size_t)u->n*fnv*sizeof *half);
+	int most = 0, i;
+
+	for (i = 0; i < a->n; i++) {
+		most = -a->first[i] > most ? -a->first[i] : most;
+		most = a->first[i] + a->count[i] - nodes > most ? a->first[i] + a->count[i] - nodes : most;
+	}
+	return most;
+}
+
+/* The field f with `u` and `v` more columns and rows at each end, [nv+2v][nu+2u].  To be freed; NULL if
+ * there is no memory. */
+static double *
+extend(Chart g, const double *f, int u, int v)
+{
+	double *x = malloc(((size_t)g.nu + 2*u)*(g.nv + 2*v)*sizeof *x), *next = x;
+	int i, j, sign = 1;
+
+	for (j = -v; x && j < g.nv + v; j++)
+		for (i = -u; i < g.nu + u; i++)
+			*next++ = f[stencil_node(g, i, j, &sign)];
+	return x;
+}
+
+/* f has rows of fnu nodes, from row -below to row fnv-1. */
+static int
+apply_both(const Axis *u, const Axis *v, int fnu, int below, int fnv, const double *f, double *out)
+{
+	double *half = malloc((size_t)u->n*(below + fnv)*sizeof *half);
 	int i, j;
 
-	if (half) {
-		for (j = 0; j < fnv; j++)
-			apply(u, f + (size_t)j*fnu, 1, half + (size_t)j*u->n, 1);
-		for (i = 0; i < u->n; i++)
-			apply(v, half + i, u->n, out + i, u->n);
-	}
+	for (j = 0; half && j < below + fnv; j++)
+		apply(u, f + (size_t)j*fnu, 1, half + (size_t)j*u->n, 1);
+	for (i = 0; half && i < u->n; i++)
+		apply(v, half + (size_t)below*u->n + i, u->n, out + i, u->n);
 	free(half);
 	return half ? 0 : RESAMPLE_ENOMEM;
+}
+
+static int
+resample(const Axis *u, const Axis *v, Chart from, const double *f, double *out)
+{
+	int wide = reach(u, from.nu), high = reach(v, from.nv), e = RESAMPLE_ENOMEM;
+	double *x = wide || high ? extend(from, f, wide, high) : NULL;
+
+	if (!wide && !high)
+		return apply_both(u, v, from.nu, 0, from.nv, f, out);
+	if (x)
+		e = apply_both(u, v, from.nu + 2*wide, high, from.nv + high, x + wide, out);
+	free(x);
+	return e;
 }
 
 int
 resample_cubic(Chart from, const double end[2], const double *f, Chart to, double *e)
 {
 	Axis u = { 0 }, v = { 0 };
-	int r = cubic_axis(&u, from.nu, end[0], to.nu) || cubic_axis(&v, from.nv, end[1], to.nv);
+	int r = cubic_axis(&u, from, end[0], to, 0) || cubic_axis(&v, from, end[1], to, 1);
 
-	r = apply_both(&u, &v, r, from.nu, from.nv, f, e);
+	r = r ? RESAMPLE_ENOMEM : resample(&u, &v, from, f, e);
 	axis_free(&u);
 	axis_free(&v);
 	return r;
@@ -123,9 +184,9 @@ int
 resample_mean(Chart from, const double *f, Chart to, double *e)
 {
 	Axis u = { 0 }, v = { 0 };
-	int r = mean_axis(&u, from.nu, to.nu) || mean_axis(&v, from.nv, to.nv);
+	int r = mean_axis(&u, from, to, 0) || mean_axis(&v, from, to, 1);
 
-	r = apply_both(&u, &v, r, from.nu, from.nv, f, e);
+	r = r ? RESAMPLE_ENOMEM : resample(&u, &v, from, f, e);
 	axis_free(&u);
 	axis_free(&v);
 	return r;

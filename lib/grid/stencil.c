@@ -2,12 +2,18 @@
 #include "stencil.h"
 
 Range
-stencil_inner(Chart g, int axis)
+stencil_apart(Chart g, int axis, int rings)
 {
 	const int *joined = g.kind->joined[axis];
 	int n = axis ? g.nv : g.nu;
 
-	return (Range){ joined[0] ? 0 : 1, joined[1] ? n : n - 1 };
+	return (Range){ joined[0] ? 0 : rings, joined[1] ? n : n - rings };
+}
+
+Range
+stencil_inner(Chart g, int axis)
+{
+	return stencil_apart(g, axis, 1);
 }
 
 size_t

@@ -22,7 +22,10 @@ typedef struct Range {
 	int from, to;
 } Range;
 
-/* The range of inner nodes along u (axis 0) or v (axis 1); the number of inner nodes of the grid; and
+/* The range, along u (axis 0) or v (axis 1), of the nodes at least `rings` steps from the open sides. */
+Range  stencil_apart(Chart g, int axis, int rings);
+
+/* The range of inner nodes along an axis: those one step from the open sides; the number of inner nodes of the grid; and
  * whether node (i,j) is an inner node. */
 Range  stencil_inner(Chart g, int axis);
 size_t stencil_inner_count(Chart g);
