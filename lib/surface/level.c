@@ -3,7 +3,9 @@
 #include <stdlib.h>
 
 #include "../grid/resample.h"
+#include "../grid/stencil.h"
 #include "level.h"
+#include "round.h"
 
 enum { COARSEST = 65*65 };      /* fewest nodes of a coarse grid */
 static const double SQUARE = M_SQRT2;   /* below this ratio of the steps both axes are coarsened; above,
@@ -16,6 +18,25 @@ level_nodes(Chart g)
 	return (size_t)g.nu*g.nv;
 }
 
+/* The fewest nodes along an axis that have at least the steps of g over `by`; an even number of columns on
+ * a folded chart. */
+static int
+divided(Chart g, int axis, double by)
+{
+	const int *joined = g.kind->joined[axis];
+	int nodes = (int)ceil(chart_steps(g, axis)/by + 1 - (joined[0] + joined[1])*0.5);
+
+	return axis == 0 && g.kind->folded ? (nodes + 1)/2*2 : nodes;
+}
+
+Chart
+level_thinned(Chart g, int steps)
+{
+	double by = fmin(chart_steps(g, 0), chart_steps(g, 1))/steps;
+
+	return by > 1 ? (Chart){ divided(g, 0, by), divided(g, 1, by), g.T, g.kind } : g;
+}
+
 /* The chart with half as many steps in both directions, or only in the one with clearly shorter steps. */
 static Chart
 coarser(Chart g)
@@ -24,9 +45,9 @@ coarser(Chart g)
 	Chart c = g;
 
 	if (h < SQUARE*k)
-		c.nu = g.nu/2 + 1;
+		c.nu = divided(g, 0, 2);
 	if (k < SQUARE*h)
-		c.nv = g.nv/2 + 1;
+		c.nv = divided(g, 1, 2);
 	return c;
 }
 
@@ -48,16 +69,48 @@ int
 level_interpolate(Chart from, const double end[2], const double *f, double factor, Chart g, int rings,
 	double *phi)
 {
+	Range columns = stencil_apart(g, 0, rings), rows = stencil_apart(g, 1, rings);
 	double *t = malloc(level_nodes(g)*sizeof *t);
 	int c, i, j, e = t ? 0 : LEVEL_ENOMEM;
 
 	for (c = 0; !e && c < 3; c++) {
 		e = resample_cubic(from, end, f + c*level_nodes(from), g, t);
-		for (j = rings; !e && j < g.nv - rings; j++)
-			for (i = rings; i < g.nu - rings; i++)
+		for (j = rows.from; !e && j < rows.to; j++)
+			for (i = columns.from; i < columns.to; i++)
 				phi[c*level_nodes(g) + (size_t)j*g.nu + i] = t[(size_t)j*g.nu + i]*factor;
 	}
 	free(t);
+	return e;
+}
+
+/* x times (or, if over, divided by) factor, [n]. */
+static void
+scale_by(size_t n, const double *factor, int over, const double *x, double *y)
+{
+	size_t p;
+
+	for (p = 0; p < n; p++)
+		y[p] = over ? x[p]/factor[p] : x[p]*factor[p];
+}
+
+/* Averages a density, a field with the factor lambda^2, to the coarser grid c.  On a chart with cones it
+ * is divided by lambda0^2 meanwhile, since both are 0 at a cone (round.h). */
+static int
+coarsen_density(Chart g, const double *f, Chart c, double *to)
+{
+	double *fine, *coarse, *smooth = malloc(level_nodes(g)*sizeof *smooth);
+	int e = round2(g, &fine) || round2(c, &coarse) || !smooth ? LEVEL_ENOMEM : 0;
+
+	if (!e && !fine)
+		e = resample_mean(g, f, c, to);
+	else if (!e) {
+		scale_by(level_nodes(g), fine, 1, f, smooth);
+		e = resample_mean(g, smooth, c, to);
+		scale_by(level_nodes(c), coarse, 0, to, to);
+	}
+	free(fine);
+	free(coarse);
+	free(smooth);
 	return e;
 }
 
@@ -71,9 +124,9 @@ level_coarsen(const Level *f, Level *l)
 	l->l2H = malloc(level_nodes(l->g)*sizeof(double));
 	l->phi = malloc(3*level_nodes(l->g)*sizeof(double));
 	if (l->lambda2 && l->l2H && l->phi)
-		e = resample_mean(f->g, f->lambda2, l->g, l->lambda2);
+		e = coarsen_density(f->g, f->lambda2, l->g, l->lambda2);
 	if (!e)
-		e = resample_mean(f->g, f->l2H, l->g, l->l2H);
+		e = coarsen_density(f->g, f->l2H, l->g, l->l2H);
 	for (c = 0; !e && c < 3; c++)
 		e = resample_cubic(f->g, WHOLE, f->phi + c*level_nodes(f->g), l->g, l->phi + c*level_nodes(l->g));
 	return e;

@@ -20,6 +20,10 @@ size_t level_nodes(Chart g);
 /* Whether a grid with fewer nodes than g would still have the least number. */
 int level_has_coarser(Chart g);
 
+/* The chart of the same kind with `steps` steps, or a few more, along the axis with fewer, and in proportion
+ * along the other; g itself if it has no more. */
+Chart level_thinned(Chart g, int steps);
+
 /* Makes the next coarser level l of f, with the boundary curve in its phi: half as many steps in both
  * directions, or only in the one with clearly shorter steps.  lambda^2 and lambda^2 H become hat-weighted
  * means.  Call level_free in any case.  Returns 0 or LEVEL_ENOMEM.  doc/mathematics.md 6.5. */

@@ -6,6 +6,7 @@
 #include "misfitborder.h"
 #include "misfitnode.h"
 #include "misfitplace.h"
+#include "round.h"
 
 static const double FINEST = 2;         /* |H| is clipped so that n turns by at most this angle, in
                                          * radians, over a cell */
@@ -19,13 +20,13 @@ clip(const Misfit *m, double lambda2, double l2H)
 	return q > FINEST && !m->residue ? l2H*FINEST/q : l2H;
 }
 
-/* |grad log lambda|^2 at inner node (i,j). */
+/* |grad log(lambda/lambda0)|^2 at inner node (i,j). */
 static double
 gradient2(const Misfit *m, int i, int j)
 {
 	Stencil su = stencil_at(m->g, 0, 1, i, j), sv = stencil_at(m->g, 1, 1, i, j);
-	double u = log(m->lambda2[su.node[0]]/m->lambda2[su.node[2]])/(4*chart_h(m->g));
-	double v = log(m->lambda2[sv.node[0]]/m->lambda2[sv.node[2]])/(4*chart_k(m->g));
+	double u = log(misfit_size2(m, su.node[0])/misfit_size2(m, su.node[2]))/(4*chart_h(m->g));
+	double v = log(misfit_size2(m, sv.node[0])/misfit_size2(m, sv.node[2]))/(4*chart_k(m->g));
 
 	return u*u + v*v;
 }
@@ -65,7 +66,7 @@ misfit_init(Misfit *m, Chart g, const double *lambda2, const double *l2H, const 
 	m->o = malloc(n*sizeof(double));
 	m->row = malloc(2*(size_t)g.nv*sizeof(double));
 	m->work = malloc((size_t)misfit_strips(g)*27*(g.nu + 2)*sizeof(double));
-	if (!m->lambda2 || !m->l2H2 || !m->o || !m->row || !m->work) {
+	if (!m->lambda2 || !m->l2H2 || !m->o || !m->row || !m->work || round2(g, &m->round)) {
 		misfit_free(m);
 		return MISFIT_ENOMEM;
 	}
@@ -86,6 +87,7 @@ misfit_free(Misfit *m)
 	free(m->lambda2);
 	free(m->l2H2);
 	free(m->o);
+	free(m->round);
 	free(m->row);
 	free(m->work);
 	free(m->hold);

@@ -19,6 +19,7 @@
  * By truncation, the grid of a conformal map deviates from conformal by about q^2.  The third line
  * is hardly affected by truncation, so it is weighted by o, not o^2.  Where lambda^2 is below 1e-4
  * <lambda^2>, o is 0; with a residue o is multiplied by lambda^2/(1e-4 <lambda^2>) there instead.
+ * On a chart with cones o is made of lambda/lambda0 in place of lambda (round.h).
  * Without a residue |H| is clipped so that lambda |H| times a step is at most 2.
  *
  * Where the surface folds over, n is smoothed: once |phi_u x phi_v| is below a thousandth of
@@ -73,6 +74,7 @@ typedef struct Misfit {
 	double         blur;            /* n = c/(|c|^2 + blur lambda^4)^(1/2), c = phi_u x phi_v */
 	double        *lambda2, *l2H2;  /* [nv][nu] lambda^2 and 2 lambda^2 H */
 	double        *o;               /* [nv][nu] */
+	double        *round;           /* [nv][nu] lambda0^2 over its mean, or NULL (round.h) */
 	double        *row, *work;      /* workspace: sums of rows; adjoint rows */
 	const Residue *residue;         /* or NULL */
 	int            free;            /* the border nodes are unknowns */

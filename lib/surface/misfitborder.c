@@ -31,10 +31,12 @@ slopes_at(Chart g, int i, int j, Stencil *u, Stencil *v)
 	}
 }
 
+/* A derivative of log(lambda/lambda0)^2. */
 static double
-log_slope(const Stencil *s, const double *f)
+log_slope(const Misfit *m, const Stencil *s)
 {
-	return s->w[0]*log(f[s->node[0]]) + s->w[1]*log(f[s->node[1]]) + s->w[2]*log(f[s->node[2]]);
+	return s->w[0]*log(misfit_size2(m, s->node[0])) + s->w[1]*log(misfit_size2(m, s->node[1]))
+	    + s->w[2]*log(misfit_size2(m, s->node[2]));
 }
 
 static void
@@ -77,8 +79,8 @@ misfit_border_weights(Misfit *m)
 	for (q = 0; q < edge_length(m->g); q++) {
 		if (!border_slopes(m->g, q, &p, &u, &v))
 			continue;
-		x = log_slope(&u, m->lambda2)/2;
-		y = log_slope(&v, m->lambda2)/2;
+		x = log_slope(m, &u)/2;
+		y = log_slope(m, &v)/2;
 		m->o[p] = misfit_weight(m, p, x*x + y*y);
 	}
 }

@@ -11,7 +11,10 @@
 /* (h^2 + k^2)/2 */
 double misfit_step2(Chart g);
 
-/* The weight o of a node from |grad log lambda|^2 there. */
+/* (lambda/lambda0)^2 at node p, times a constant (round.h). */
+double misfit_size2(const Misfit *m, size_t p);
+
+/* The weight o of a node from |grad log(lambda/lambda0)|^2 there. */
 double misfit_weight(const Misfit *m, size_t p, double gradient2);
 
 /* Sets o of the border nodes. */
