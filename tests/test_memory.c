@@ -21,6 +21,7 @@
 #include "../lib/surface/surface.h"
 #include "../lib/synth/synth.h"
 #include "fault.h"
+#include "sockcap.h"
 
 enum { SHARE = 40 };
 
@@ -155,7 +156,7 @@ sheet(double phi[3][NODES])
 }
 
 /* Reconstructs the sheet.  way 0: by the surface method with a start; 1: without a start; 2: by the
- * frame method. */
+ * frame method; 3: a cap on the sock, without a start. */
 static int
 solved(int way)
 {
@@ -174,6 +175,10 @@ solved(int way)
 	for (p = 0; p < NODES; p++) {
 		lambda[p] = 1;
 		H[p] = 0;
+	}
+	if (way == 3) {
+		s.g = (Chart){ NU - 1, NV, 0.4, &CHART_SOCK };
+		sample_sockcap(s.g, 1, (double *[3]){ phi[0], phi[0] + (NU - 1)*NV, phi[0] + 2*(NU - 1)*NV }, lambda, H);
 	}
 	if (way == 2)
 		return frame_surface(s.g, lambda, H, x, &p, NULL);
@@ -276,6 +281,7 @@ static void facets(void **state)      { (void)state; refuse_each(mapped, 0); }
 static void polished(void **state)   { (void)state; refuse_each(mapped, 1); }
 static void fit_start(void **state) { (void)state; refuse_each(solved, 0); }
 static void fit_frame(void **state) { (void)state; refuse_each(solved, 1); }
+static void fit_sock(void **state) { (void)state; refuse_each(solved, 3); }
 static void frame(void **state)    { (void)state; refuse_each(solved, 2); }
 static void dct(void **state)      { (void)state; refuse_each(filtered, SPECTRUM_DCT); }
 static void dft(void **state)      { (void)state; refuse_each(filtered, SPECTRUM_DFT); }
@@ -312,7 +318,8 @@ main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(files), cmocka_unit_test(readers),
 		cmocka_unit_test(synth), cmocka_unit_test(facets), cmocka_unit_test(polished),
-		cmocka_unit_test(fit_start), cmocka_unit_test(fit_frame), cmocka_unit_test(frame),
+		cmocka_unit_test(fit_start), cmocka_unit_test(fit_frame),
+		cmocka_unit_test(fit_sock), cmocka_unit_test(frame),
 		cmocka_unit_test(dct), cmocka_unit_test(dft),
 		cmocka_unit_test(hausdorff), cmocka_unit_test(crossings), cmocka_unit_test(grids),
 	};

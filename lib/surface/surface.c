@@ -6,9 +6,10 @@
 #include "anchor.h"
 #include "cornersmooth.h"
 #include "fitexact.h"
-#include "frame.h"
 #include "level.h"
+#include "start.h"
 #include "../base/field.h"
+#include "../grid/stencil.h"
 #include "surface.h"
 
 static const double ENOUGH = 1e-4;      /* tolerance of coarse grids */
@@ -72,14 +73,15 @@ fit_at_place(const Surface *s, double unit, const Level *l, const FitOptions *o,
 	double *phi = malloc(3*n*sizeof *phi);
 	MisfitPlace place = { phi, s->place->s/unit };
 	FitOptions last = *o;
-	int c, i, j, r = SURFACE_ENOMEM, rings = s->free ? 0 : 1;
+	Range columns = stencil_apart(l->g, 0, !s->free), rows = stencil_apart(l->g, 1, !s->free);
+	int c, i, j, r = SURFACE_ENOMEM;
 
 	last.flat = FLAT;
 	if (phi) {
 		field_scale(3*n, 1/unit, s->place->phi, phi);
 		for (c = 0; c < 3; c++)
-			for (j = rings; j < l->g.nv - rings; j++)
-				for (i = rings; i < l->g.nu - rings; i++)
+			for (j = rows.from; j < rows.to; j++)
+				for (i = columns.from; i < columns.to; i++)
 					l->phi[c*n + (size_t)j*l->g.nu + i] = phi[c*n + (size_t)j*l->g.nu + i];
 		r = fit_finest(s, unit, l, &place, &last, at);
 	}
@@ -87,30 +89,13 @@ fit_at_place(const Surface *s, double unit, const Level *l, const FitOptions *o,
 	return r;
 }
 
-/* The start of the coarsest level if none is given: by the frame method, from the band of the
- * finest level. */
+/* The start of the coarsest level if none is given. */
 static int
-start_from_frame(const Surface *s, const Level *l, double *finest)
+find_start(const Surface *s, const Level *l, double *finest)
 {
-	double *lambda = malloc(level_nodes(l->g)*sizeof *lambda), *H = malloc(level_nodes(l->g)*sizeof *H);
-	double *fine[3], *phi[3];
-	int c, at, e = SPD_ENOMEM;
-	size_t p;
+	int e = start_find(s->g, finest, l);
 
-	for (c = 0; c < 3; c++) {
-		fine[c] = finest + c*level_nodes(s->g);
-		phi[c] = l->phi + c*level_nodes(l->g);
-	}
-	for (p = 0; lambda && H && p < level_nodes(l->g); p++) {
-		lambda[p] = sqrt(l->lambda2[p]);
-		H[p] = l->l2H[p]/l->lambda2[p];
-	}
-	if (lambda && H)
-		e = l->phi == finest ? frame_surface(l->g, lambda, H, phi, &at, NULL)
-		    : frame_coarse(s->g, fine, l->g, lambda, H, phi, &at, NULL);
-	free(lambda);
-	free(H);
-	return e == SPD_ENOMEM ? SURFACE_ENOMEM : e ? SURFACE_ESTART : 0;
+	return e == START_ENONE ? SURFACE_ESTART : e ? SURFACE_ENOMEM : 0;
 }
 
 /* Whether the start has at least as many nodes as g in each direction. */
@@ -141,7 +126,7 @@ descend(const Surface *s, double unit, const Level *l, const FitOptions *o, doub
 	} else if (s->start)
 		r = level_interpolate(s->start_chart, s->start_end, s->start, 1/unit, l->g, rings, l->phi);
 	else
-		r = start_from_frame(s, l, finest);
+		r = find_start(s, l, finest);
 	if (r < 0)
 		return r;
 	last.flat = FLAT;
@@ -158,11 +143,12 @@ descend(const Surface *s, double unit, const Level *l, const FitOptions *o, doub
 static void
 clear_inside(Chart g, int rings, double *phi)
 {
+	Range columns = stencil_apart(g, 0, rings), rows = stencil_apart(g, 1, rings);
 	int c, i, j;
 
 	for (c = 0; c < 3; c++)
-		for (j = rings; j < g.nv - rings; j++)
-			for (i = rings; i < g.nu - rings; i++)
+		for (j = rows.from; j < rows.to; j++)
+			for (i = columns.from; i < columns.to; i++)
 				phi[c*level_nodes(g) + (size_t)j*g.nu + i] = 0;
 }
 
@@ -206,7 +192,7 @@ descend_free(const Surface *s, double unit, const Level *finest, const FitOption
 
 	if (!s->adrift)
 		e = choose_anchor(s, unit, finest->phi, &a);
-	clear_inside(s->g, s->start ? 0 : FRAME_BAND, finest->phi);
+	clear_inside(s->g, s->start ? 0 : start_rings(s->g.kind), finest->phi);
 	if (!e)
 		r = descend(s, unit, finest, o, finest->phi, at);
 	if (!e && r > 0 && s->adrift)
@@ -236,7 +222,7 @@ surface(const Surface *s, const FitOptions *o, double *phi, FitProgress *at)
 			finest.l2H[p] = finest.lambda2[p]*(s->H[p]*unit);
 		}
 		if (!s->free)
-			clear_inside(s->g, s->start ? 1 : FRAME_BAND, phi);
+			clear_inside(s->g, s->start ? 1 : start_rings(s->g.kind), phi);
 		field_scale(3*n, 1/unit, phi, phi);
 		r = s->free ? descend_free(s, unit, &finest, o, at) : descend(s, unit, &finest, o, phi, at);
 		field_scale(3*n, unit, phi, phi);

@@ -18,7 +18,7 @@
 
 enum {
 	SURFACE_ENOMEM = -1,
-	SURFACE_ESTART = -2,    /* no start is given and the frame method finds none */
+	SURFACE_ESTART = -2,    /* no start is given and none is found (start.h) */
 	SURFACE_EPLACE = -3     /* free: positions that are not finite or too large to be squared */
 };
 
@@ -28,10 +28,10 @@ typedef struct Surface {
 	const Residue *residue;         /* or NULL */
 	int            exact;           /* 1: the residues are of the same surface as lambda and H, so that E
 	                                 * is 0 there */
-	Chart          start_chart;     /* grid of the start; its last column and row lie at */
+	Chart          start_chart;     /* grid of the start, of the kind of g; its last column and row lie at */
 	double         start_end[2];    /* start_end[0] of the width and start_end[1] of the height */
-	const double  *start;           /* [3][nv][nu] of start_chart; NULL: the frame method on the
-	                                 * coarsest grid, from the three outer rings of phi */
+	const double  *start;           /* [3][nv][nu] of start_chart; NULL: one is made on the
+	                                 * coarsest grid, from the outer rings of phi (start.h) */
 	const MisfitPlace *place;       /* or NULL; the surface is held at it and starts from it, on the finest
 	                                 * grid alone */
 	int            free;            /* the boundary is not held */

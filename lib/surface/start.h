@@ -1,0 +1,31 @@
+/* start.h - the start of the coarsest grid where none is given.
+ *
+ * On the rectangle: the surface of the frame method (frame.h), from three rings of the band.
+ *
+ * On the sock: a spherical cap with the area and the boundary length of the surface, bulging to the side
+ * that H says, plus a harmonic field that brings its border to the given one.  If L is the length and A
+ * the area, its stereographic radius c has
+ *
+ *   c^2 = 4 pi A/L^2 - 1,
+ *
+ * and L^2 >= 4 pi A gives a flat disk.  The unit disk (sockplane.h) is first moved by Moebius maps so
+ * that the mean of its circle, weighted by the lengths on the border, is its centre (A. Douady,
+ * C. J. Earle 1986). */
+#ifndef START_H
+#define START_H
+
+#include "level.h"
+
+enum { START_ENOMEM = -1, START_ENONE = -2 /* the frame method finds no surface */ };
+
+/* How many rings of the border must be given. */
+int start_rings(const ChartKind *kind);
+
+/* Sets the inner nodes of l->phi, whose border is given.  finest is the finest grid, on which the rings
+ * of `band` [3][nv][nu] are given.  Returns 0, START_ENOMEM or START_ENONE. */
+int start_find(Chart finest, double *band, const Level *l);
+
+/* On the sock: startcap.c. */
+int start_from_cap(Chart finest, double *band, const Level *l);
+
+#endif
