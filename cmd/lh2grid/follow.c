@@ -1,7 +1,8 @@
 /* follow.c - each frame starts from a coarse lattice of the surface of the previous frame.
  *
  * A lattice this coarse only selects one of the surfaces with this lambda and H.  Finer detail of
- * the previous frame, which may be wrong, is not passed on.
+ * the previous frame, which may be wrong, is not passed on.  On a chart without lattices all nodes are
+ * written, and read as if they were a lattice.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,10 +16,11 @@ void
 follow_start(const Before *before, Lhg *g)
 {
 	int cells = (g->nu < g->nv ? g->nu : g->nv) - 1, step = cells > LATTICE ? cells/LATTICE : 1, c;
+	int support = lhg_count(g, LHG_LATTICE, 1) ? LHG_LATTICE : LHG_GRID;
 	const LhgChannel *like = lhg_find(g, START[0]);
 	char unit[LHG_NAMELEN];
 
-	if (!before->phi || before->nu != g->nu || before->nv != g->nv)
+	if (!before->phi || before->nu != g->nu || before->nv != g->nv || before->chart != g->chart)
 		return;
 	if (!like)
 		like = lhg_find(g, "band.x");
@@ -27,7 +29,7 @@ follow_start(const Before *before, Lhg *g)
 	snprintf(unit, sizeof unit, "%s", like->unit);
 	for (c = 0; c < 3; c++) {
 		lhg_drop(g, START[c]);
-		cmd_add(g, START[c], unit, LHG_LATTICE, step);
+		cmd_add(g, START[c], unit, support, support == LHG_LATTICE ? step : 0);
 		lhg_gather(g, lhg_find(g, START[c]), before->phi + (size_t)c*g->nu*g->nv);
 	}
 }
@@ -36,7 +38,7 @@ void
 follow_keep(Before *before, const Lhg *g, double *phi)
 {
 	free(before->phi);
-	*before = (Before){ g->nu, g->nv, phi };
+	*before = (Before){ g->nu, g->nv, g->chart, phi };
 }
 
 void

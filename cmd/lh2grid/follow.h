@@ -6,11 +6,11 @@
 
 /* The surface of the previous frame; all members are 0 before the first. */
 typedef struct Before {
-	int     nu, nv;
+	int     nu, nv, chart;
 	double *phi;            /* [3][nv][nu] */
 } Before;
 
-/* If the previous surface has the size of g, replaces the start of g by a lattice of that surface.
+/* If the previous surface has the size and the chart of g, replaces the start of g by a lattice of that surface.
  * Along the shorter side the lattice has 33 to 64 nodes, or all if there are fewer.  Its unit is
  * that of the start or the band of g. */
 void follow_start(const Before *before, Lhg *g);

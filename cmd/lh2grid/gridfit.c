@@ -19,6 +19,9 @@ gridfit(const CmdInput *in, Lhg *g, int method, int follows, const SurfaceFit *o
 	FitProgress at = { 0 };
 	double *phi;
 
+	if (method == GRIDFIT_FRAME && chart.kind != &CHART_RECTANGLE)
+		die("%s: the frame method is for the rectangle, not for the %s; use --method=surface", in->name,
+		    chart.kind->name);
 	claim(in->name, method == GRIDFIT_FRAME ? "the frame method" : "the surface method",
 		(double)g->nu*g->nv,
 	    8*(method == GRIDFIT_FRAME ? FRAME_NUMBERS : SURFACE_NUMBERS + follows*FOLLOW_NUMBERS));

@@ -4,7 +4,9 @@
 #include <string.h>
 #include <time.h>
 
-#include "../../lib/surface/frame.h"
+#include "../../lib/grid/resample.h"
+#include "../../lib/surface/level.h"
+#include "../../lib/surface/start.h"
 #include "../../lib/surface/surface.h"
 #include "../shared/chartof.h"
 #include "../shared/exact.h"
@@ -21,6 +23,8 @@ static const double EXACT = 1e-4;
  * the mean step was longer than one that counts as converged.  With a free boundary surfaces bend at
  * hardly any cost, and the bound is UNSETTLED_FREE. */
 static const double UNSETTLED = 10, UNSETTLED_FREE = 0.01, USUAL = SURFACEFIT_TOLERANCE;
+
+enum { LATTICE = 32 };          /* steps of a lattice along its shorter side, as grid2lh writes it */
 
 static const char *const START[3] = { "start.x", "start.y", "start.z" };
 static const char *const RESIDUE[4] = { "nu1", "nu2", "tau1", "tau2" };
@@ -89,34 +93,66 @@ int
 surfacefit_rings(const Lhg *g, const SurfaceFit *o)
 {
 	if (!has_start(g, o))
-		return has_place(g, o) ? 1 : FRAME_BAND;
+		return has_place(g, o) ? 1 : start_rings(chart_of(g).kind);
 	return o->free && !has_band(g) ? 0 : 1;
 }
 
-/* Returns the channels start.x start.y start.z as three fields, to be freed.  Sets start, the chart
- * of its lattice, and where the lattice ends in the rectangle, in s. */
+/* The three channels start.x start.y start.z, one after the other, to be freed. */
+static double *
+copy_start(const CmdInput *in, const Lhg *g, int support)
+{
+	double *start = NULL;
+	size_t n = 0;
+	int c;
+
+	for (c = 0; c < 3; c++) {
+		cmd_need(in, g, START[c], support);
+		range_width(in, g, START[c]);
+	}
+	for (c = 0; c < 3; c++) {
+		const LhgChannel *from = lhg_find(g, START[c]);
+
+		if (from->step != lhg_find(g, START[0])->step)
+			die("%s: %s and %s are lattices of different steps", in->name, START[0], START[c]);
+		n = from->n;
+		start = start ? start : cmd_alloc(3*n, sizeof *start);
+		memcpy(start + c*n, from->f, n*sizeof *start);
+	}
+	return start;
+}
+
+/* Where the chart has no lattices the start has all nodes.  Reduces it to as many as a lattice has. */
+static double *
+thin(const CmdInput *in, double *full, Surface *s)
+{
+	Chart few = level_thinned(s->g, LATTICE);
+	double *start = cmd_alloc(3*level_nodes(few), sizeof *start);
+	int c;
+
+	s->start_chart = few;
+	s->start_end[0] = s->start_end[1] = 1;
+	for (c = 0; c < 3; c++)
+		if (resample_cubic(s->g, s->start_end, full + c*level_nodes(s->g), few, start + c*level_nodes(few)))
+			die("%s: no memory for a start of %d x %d nodes", in->name, few.nu, few.nv);
+	free(full);
+	return start;
+}
+
+/* Returns the channels start.x start.y start.z as three fields, to be freed.  Sets start, its chart, and
+ * where a lattice ends in the rectangle, in s. */
 static double *
 read_start(const CmdInput *in, const Lhg *g, Surface *s)
 {
-	size_t n;
-	double *start;
-	int c, step;
+	int lattices = lhg_count(g, LHG_LATTICE, 1) > 0, step;
+	double *start = copy_start(in, g, lattices ? LHG_LATTICE : LHG_GRID);
 
-	for (c = 0; c < 3; c++) {
-		cmd_need(in, g, START[c], LHG_LATTICE);
-		range_width(in, g, START[c]);
-	}
-	n = lhg_find(g, START[0])->n;
-	step = lhg_find(g, START[0])->step;
-	start = cmd_alloc(3*n, sizeof *start);
-	for (c = 0; c < 3; c++) {
-		if (lhg_find(g, START[c])->step != step)
-			die("%s: %s and %s are lattices of different steps", in->name, START[0], START[c]);
-		memcpy(start + c*n, lhg_find(g, START[c])->f, n*sizeof *start);
-	}
-	s->start_chart = (Chart){ (g->nu - 1)/step + 1, (g->nv - 1)/step + 1, g->T, &CHART_RECTANGLE };
-	s->start_end[0] = (double)((g->nu - 1)/step*step)/(g->nu - 1);
-	s->start_end[1] = (double)((g->nv - 1)/step*step)/(g->nv - 1);
+	if (lattices) {
+		step = lhg_find(g, START[0])->step;
+		s->start_chart = (Chart){ (g->nu - 1)/step + 1, (g->nv - 1)/step + 1, g->T, s->g.kind };
+		s->start_end[0] = (double)((g->nu - 1)/step*step)/(g->nu - 1);
+		s->start_end[1] = (double)((g->nv - 1)/step*step)/(g->nv - 1);
+	} else
+		start = thin(in, start, s);
 	if (s->start_chart.nu < 2 || s->start_chart.nv < 2)
 		die("%s: the start has %d x %d nodes, need at least 2 x 2", in->name, s->start_chart.nu,
 			s->start_chart.nv);
@@ -235,7 +271,7 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 	case 0:
 		die("%s: no convergence in %d steps: energy %.4g, change %.2g, the largest residual at node (%d,%d)",
 	    in->name, at->step, at->energy, at->change, (int)(at->worst%g->nu), (int)(at->worst/g->nu));
-	case SURFACE_ESTART: die("%s: no start, and the frame method finds none from the band", in->name);
+	case SURFACE_ESTART: die("%s: no start, and none is found from the band", in->name);
 	case SURFACE_EPLACE: die("%s: the %s is too large to place the surface by it", in->name,
 		s.adrift ? "start" : "band");
 	default: die("%s: no memory for the surface of %d x %d nodes", in->name, g->nu, g->nv);
