@@ -14,6 +14,7 @@
 #include "mesh2rect/coneopt.h"
 #include "mesh2rect/corneropt.h"
 #include "mesh2rect/likeopt.h"
+#include "mesh2rect/likesock.h"
 #include "mesh2rect/loss.h"
 #include "mesh2rect/quality.h"
 #include "mesh2rect/uvopt.h"
@@ -202,11 +203,16 @@ begin_output(Lhg *out, const Grid *grid)
 
 /* The grid on the chart of --chart. */
 static Chart
-on_chart(int kind, const char *cones, Chart g, const ConformalOptions *o)
+on_chart(int kind, const char *cones, const char *like, Chart g, ConformalOptions *o)
 {
 	g.kind = chart_kind(lhg_chartname(kind));
 	if (cones && kind != LHG_SOCK)
 		misuse("--cones needs --chart=sock");
+	if (like && kind == LHG_SOCK) {
+		likesock_size(like, &g);
+		o->keep = o->shape = 0;
+		return g;
+	}
 	if (kind != LHG_SOCK || o->shape || o->keep > 0)
 		return g;
 	g.nu--, g.nv--;                 /* a row of nodes round the sock has as many nodes as cells */
@@ -217,12 +223,12 @@ on_chart(int kind, const char *cones, Chart g, const ConformalOptions *o)
 }
 
 static void
-check_like(const char *corners, const char *like, int reversed)
+check_like(int kind, const char *corners, const char *like, int reversed)
 {
 	if (like && corners)
 		misuse("--corners and --like exclude each other");
-	if (!like && reversed)
-		misuse("--like-reversed needs --like");
+	if (reversed && (!like || kind == LHG_SOCK))
+		misuse("--like-reversed needs --like, and a rectangle");
 }
 
 /* Frees all of s but the facts. */
@@ -270,8 +276,8 @@ main(int argc, char *argv[])
 		case UV: uv = optarg; break;
 		}
 	cmd_operands(argc, argv, 0, 1);
-	check_like(corners, like, reversed);
-	g = on_chart(kind, cones, g, &options);
+	check_like(kind, corners, like, reversed);
+	g = on_chart(kind, cones, like, g, &options);
 	if (uv)
 		opt_uv(uv, argv[optind]);
 	cmd_binary_output();
@@ -282,10 +288,12 @@ main(int argc, char *argv[])
 	if (flip)
 		disk_flip(&d);
 	add_corner(cmd_name_of(argv[optind]), &d);
-	apart = choose_corners(corners, like, reversed, &d, corner);
+	apart = choose_corners(corners, kind == LHG_SOCK ? NULL : like, reversed, &d, corner);
 	opt_cones(cones, &d, options.cone);
 	claim_map(cmd_name_of(argv[optind]), &d, g, &options);
 	map_disk(&d, corner, g, &options, &c);
+	if (like && kind == LHG_SOCK)
+		apart = likesock_turn(like, d.m.nv, &c);
 
 	begin_output(&out, &c.grid);
 	quality_meta(&out, &d, corner, apart, &c);

@@ -18,7 +18,7 @@ rectangle(Border *b)
 {
 	int i, j, k;
 
-	assert_int_equal(border_init(b, NU, NV), 0);
+	assert_int_equal(border_init(b, (Chart){ NU, NV, 1, &CHART_RECTANGLE }), 0);
 	for (k = 0; k < b->n; k++) {
 		border_node(NU, NV, k, &i, &j);
 		b->x[3*k] = 3.0*i/(NU - 1);
@@ -39,7 +39,7 @@ once_round(void **state)
 	(void)state;
 	for (s = 0; s < 4; s++) {
 		nu = size[s][0], nv = size[s][1];
-		assert_int_equal(border_init(&b, nu, nv), 0);
+		assert_int_equal(border_init(&b, (Chart){ nu, nv, 1, &CHART_RECTANGLE }), 0);
 		assert_int_equal(b.n, 2*(nu + nv) - 4);
 		for (k = 0; k < b.n; k++) {
 			border_node(nu, nv, k, &i, &j);
@@ -124,7 +124,7 @@ no_length(void **state)
 	int k;
 
 	(void)state;
-	assert_int_equal(border_init(&b, 3, 3), 0);
+	assert_int_equal(border_init(&b, (Chart){ 3, 3, 1, &CHART_RECTANGLE }), 0);
 	for (k = 0; k < 3*b.n; k++)
 		b.x[k] = 2;
 	assert_int_equal(border_measure(&b), BORDER_ELENGTH);

@@ -19,7 +19,7 @@ curve(Border *b, int nu, int nv, double phase, double size)
 	double s;
 	int k;
 
-	assert_int_equal(border_init(b, nu, nv), 0);
+	assert_int_equal(border_init(b, (Chart){ nu, nv, 1, &CHART_RECTANGLE }), 0);
 	for (k = 0; k < b->n; k++) {
 		s = 2*M_PI*border_place(b, k)/4;
 		s += 0.6*sin(s + phase);
@@ -224,7 +224,7 @@ coons_patches(void **state)
 	for (j = 0; j < NV; j++)
 		for (i = 0; i < NU; i++) {
 			u = (double)i/(NU - 1), v = (double)j/(NV - 1);
-			coons(NU, NV, d, i, j, f);
+			coons((Chart){ NU, NV, 1, &CHART_RECTANGLE }, d, i, j, f);
 			assert_near(f[0], 1 + 2*u - 3*v + 4*u*v, 1e-13);
 			assert_near(f[1], u*u + v*v*v, 1e-13);
 			if (i == 0 || j == 0 || i == NU - 1 || j == NV - 1)

@@ -74,6 +74,9 @@ morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks
 	cmd_read_one(&m->A, &m->a);
 	cmd_open(&m->B, pathB);
 	cmd_read_one(&m->B, &m->b);
+	if (m->a.chart != m->b.chart)
+		die("%s is on a %s, %s on a %s: mesh2rect --chart=%s", m->A.name, lhg_chartname(m->a.chart), m->B.name,
+			lhg_chartname(m->b.chart), lhg_chartname(m->a.chart));
 	if (m->a.nu != m->b.nu || m->a.nv != m->b.nv)
 		die("%s has %d x %d nodes, %s has %d x %d", m->A.name, m->a.nu, m->a.nv, m->B.name, m->b.nu, m->b.nv);
 	place_drop(&m->a);      /* a blend of positions is not a filtered surface */
@@ -87,7 +90,7 @@ morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks
 	size_match(m, scaled);
 	if (!m->has_border)
 		return;
-	if (!landmarks)
+	if (!landmarks && m->a.chart == LHG_RECTANGLE)
 		quarters_check(&m->A, &m->border[0], &m->B, &m->border[1], aligned);
 	if (aligned)
 		align(m);
@@ -118,6 +121,7 @@ morph_at(const Morph *m, double t, int k, int n, Lhg *g)
 	int i;
 
 	lhg_init(g, m->a.nu, m->a.nv, m->a.T);
+	g->chart = m->a.chart;
 	blend(1, t, &m->a.T, &m->b.T, &g->T);
 	for (i = 0; i < m->a.nchan; i++) {
 		c = &m->a.chan[i];

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "../../lib/grid/coons.h"
+#include "../shared/chartof.h"
 #include "positions.h"
 
 /* Whether channel k is the x coordinate of positions.  Sets c to this channel and those of y and
@@ -59,7 +60,7 @@ positions_shift(Lhg *g, const double *d)
 		if (!find_triple(g, k, c))
 			continue;
 		for (p = 0, node = lhg_first(g, c[0]); p < c[0]->n; p++, node = lhg_next(g, c[0], node)) {
-			coons(g->nu, g->nv, d, (int)(node%g->nu), (int)(node/g->nu), e);
+			coons(chart_of(g), d, (int)(node%g->nu), (int)(node/g->nu), e);
 			for (i = 0; i < 3; i++)
 				c[i]->f[p] += e[i];
 		}

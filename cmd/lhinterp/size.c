@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "../../lib/base/field.h"
+#include "../../lib/grid/stencil.h"
 #include "../shared/chartof.h"
 #include "size.h"
 
@@ -14,13 +15,14 @@ size_of(const Lhg *g)
 {
 	const double *lambda = lhg_find(g, "lambda")->f;
 	Chart c = chart_of(g);
+	Range u = stencil_inner(c, 0), v = stencil_inner(c, 1);
 	double sum = 0, l, w;
 	int i, j;
 
 	for (j = 0; j < g->nv; j++)
 		for (i = 0; i < g->nu; i++) {
 			l = lambda[(size_t)j*g->nu + i];
-			w = (i == 0 || i == g->nu - 1 ? 0.5 : 1)*(j == 0 || j == g->nv - 1 ? 0.5 : 1);
+			w = (i < u.from || i >= u.to ? 0.5 : 1)*(j < v.from || j >= v.to ? 0.5 : 1);
 			sum += w*l*l;
 		}
 	return sqrt(sum*chart_h(c)*chart_k(c));

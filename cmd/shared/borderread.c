@@ -1,18 +1,18 @@
 /* borderread.c - the boundary curve of a grid with x y z or band. */
 #include "borderread.h"
+#include "chartof.h"
 
 /* Sets coordinate c of the border from a channel that has all border nodes. */
 static void
 border_coordinate(const Lhg *g, const LhgChannel *from, int c, Border *b)
 {
 	size_t k, p = lhg_first(g, from);
-	int i, j;
+	int number;
 
 	for (k = 0; k < from->n; k++, p = lhg_next(g, from, p)) {
-		i = (int)(p%g->nu);
-		j = (int)(p/g->nu);
-		if (i == 0 || j == 0 || i == g->nu - 1 || j == g->nv - 1)
-			b->x[3*border_index(g->nu, g->nv, i, j) + c] = from->f[k];
+		number = border_number(b->g, (int)(p%g->nu), (int)(p/g->nu));
+		if (number >= 0)
+			b->x[3*number + c] = from->f[k];
 	}
 }
 
@@ -22,7 +22,7 @@ border_read(const CmdInput *in, const Lhg *g, Border *b)
 	static const char *const name[2][3] = { { "x", "y", "z" }, { "band.x", "band.y", "band.z" } };
 	int band = !lhg_find(g, "x"), c;
 
-	if (border_init(b, g->nu, g->nv))
+	if (border_init(b, chart_of(g)))
 		die("%s: no memory for the border of %d x %d nodes", in->name, g->nu, g->nv);
 	for (c = 0; c < 3; c++) {
 		cmd_need(in, g, name[band][c], band ? LHG_BORDER : LHG_GRID);

@@ -7,11 +7,25 @@
 #include "../base/vec3.h"
 
 int
-border_init(Border *b, int nu, int nv)
+border_count(Chart g)
 {
-	int n = 2*(nu - 1) + 2*(nv - 1);
+	return g.kind->folded ? g.nu : 2*(g.nu - 1) + 2*(g.nv - 1);
+}
 
-	*b = (Border){ nu, nv, n, malloc(3*(size_t)n*sizeof(double)), malloc((n + 1)*sizeof(double)) };
+int
+border_number(Chart g, int i, int j)
+{
+	if (g.kind->folded)
+		return j == g.nv - 1 ? g.nu - 1 - i : -1;
+	return i == 0 || j == 0 || i == g.nu - 1 || j == g.nv - 1 ? border_index(g.nu, g.nv, i, j) : -1;
+}
+
+int
+border_init(Border *b, Chart g)
+{
+	int n = border_count(g);
+
+	*b = (Border){ g, n, malloc(3*(size_t)n*sizeof(double)), malloc((n + 1)*sizeof(double)) };
 	if (b->x && b->s)
 		return 0;
 	border_free(b);
@@ -70,12 +84,12 @@ border_index(int nu, int nv, int i, int j)
 	return 2*a + 2*b - j;
 }
 
-/* Returns the first node of a side; *edges is how many edges the side has. */
+/* Returns the first node of a side of a rectangle; *edges is how many edges the side has. */
 static int
 side(const Border *b, int number, int *edges)
 {
-	*edges = number%2 ? b->nv - 1 : b->nu - 1;
-	return number/2*(b->n/2) + number%2*(b->nu - 1);
+	*edges = number%2 ? b->g.nv - 1 : b->g.nu - 1;
+	return number/2*(b->n/2) + number%2*(b->g.nu - 1);
 }
 
 double
@@ -83,6 +97,8 @@ border_place(const Border *b, int k)
 {
 	int number, first, edges;
 
+	if (b->g.kind->folded)
+		return 4.0*k/b->n;
 	for (number = 3; number > 0 && side(b, number, &edges) > k; number--)
 		;
 	first = side(b, number, &edges);
@@ -94,6 +110,11 @@ border_edge(const Border *b, double r, double *w)
 {
 	int number = r < 3 ? (int)r : 3, edges, first = side(b, number, &edges), k;
 
+	if (b->g.kind->folded) {
+		k = (int)fmin(floor(r/4*b->n), b->n - 1);
+		*w = fmin(r/4*b->n - k, 1);
+		return k;
+	}
 	k = (int)fmin(floor((r - number)*edges), edges - 1);
 	*w = fmin((r - number)*edges - k, 1);
 	return first + k;

@@ -2,8 +2,23 @@
 #include "border.h"
 #include "coons.h"
 
-void
-coons(int nu, int nv, const double *d, int i, int j, double f[3])
+static void
+on_sock(Chart g, const double *d, int i, int j, double f[3])
+{
+	double share = (j + 0.5)/(g.nv - 0.5), mean;
+	int c, k;
+
+	for (c = 0; c < 3; c++) {
+		for (mean = 0, k = 0; k < g.nu; k++)
+			mean += d[3*k+c]/g.nu;
+		f[c] = d[3*border_number(g, i, g.nv - 1)+c];
+		if (j < g.nv - 1)
+			f[c] = mean + share*share*(f[c] - mean);
+	}
+}
+
+static void
+on_rectangle(int nu, int nv, const double *d, int i, int j, double f[3])
 {
 	double u = (double)i/(nu - 1), v = (double)j/(nv - 1);
 	int a = nu - 1, b = nv - 1, c;
@@ -20,4 +35,13 @@ coons(int nu, int nv, const double *d, int i, int j, double f[3])
 			f[c] = (1 - u)*left[c] + u*right[c] + (1 - v)*bottom[c] + v*top[c]
 			    - (1 - u)*(1 - v)*d00[c] - u*(1 - v)*d10[c] - (1 - u)*v*d01[c] - u*v*d11[c];
 	}
+}
+
+void
+coons(Chart g, const double *d, int i, int j, double f[3])
+{
+	if (g.kind->folded)
+		on_sock(g, d, i, j, f);
+	else
+		on_rectangle(g.nu, g.nv, d, i, j, f);
 }
