@@ -60,6 +60,20 @@ transforms_are_sums(void **state)
 	}
 }
 
+/* 42 = 2 3 7, 26 = 2 13, 286 = 2 11 13 and 242 = 2 11 11; 451 = 11 41, 449 and 453 = 3 151. */
+static void
+fast_sizes_have_small_factors(void **state)
+{
+	(void)state;
+	assert_int_equal(transform_fast_size(1, 2), 1);
+	assert_int_equal(transform_fast_size(42, 2), 42);
+	assert_int_equal(transform_fast_size(26, 2), 26);
+	assert_int_equal(transform_fast_size(242, 2), 240);
+	assert_int_equal(transform_fast_size(286, 2), 288);
+	assert_int_equal(transform_fast_size(451, 2), 455);
+	assert_int_equal(transform_fast_size(17, 1), 18);
+}
+
 /* y = -Delta x on the inner nodes; x must be 0 on the border. */
 static void
 minus_laplacian(Chart g, const double *x, double *y)
@@ -252,6 +266,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(transforms_are_sums),
+		cmocka_unit_test(fast_sizes_have_small_factors),
 		cmocka_unit_test(plate_inverts),
 		cmocka_unit_test(free_plate_inverts),
 		cmocka_unit_test(plate_inverts_on_the_sock),

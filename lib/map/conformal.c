@@ -8,6 +8,7 @@
 #include "../intrinsic/overlay.h"
 #include "../mesh/boundarysplit.h"
 #include "../mesh/traversal.h"
+#include "../poisson/transform.h"
 #include "conformal.h"
 #include "intrinsicmap.h"
 #include "vertexkey.h"
@@ -27,7 +28,8 @@ typedef struct Sampling {
 	ChartMap       map;
 } Sampling;
 
-/* The numbers of nodes along u and v: those of g, or on a sock as many together, in cells about square. */
+/* The numbers of nodes along u and v: those of g, or on a sock as many together, in cells about square, and
+ * such that the transforms along both axes (lib/poisson/plate.h) are fast. */
 static void
 shape(const Sampling *m, Chart *g)
 {
@@ -35,8 +37,8 @@ shape(const Sampling *m, Chart *g)
 
 	if (!g->kind->folded || !(m->options->shape || m->options->keep > 0))
 		return;
-	g->nu = 2*(int)fmax(floor(sqrt(nodes/m->map.chart_T)/2 + 0.5), 4);
-	g->nv = (int)fmax(floor(g->nu*m->map.chart_T + 1), 6);
+	g->nu = transform_fast_size(2*(int)fmax(floor(sqrt(nodes/m->map.chart_T)/2 + 0.5), 4), 2);
+	g->nv = (transform_fast_size(2*(int)fmax(floor(g->nu*m->map.chart_T + 1), 6) - 1, 2) + 1)/2;
 }
 
 /* The (u,v) of the vertices of d. */

@@ -29,6 +29,28 @@ transform_free(Transform *t)
 	memset(t, 0, sizeof *t);
 }
 
+static int
+is_fast(int n)
+{
+	static const int prime[] = { 2, 3, 5, 7 };
+	int k;
+
+	for (k = 0; n > 0 && k < 4; k++)
+		while (n%prime[k] == 0)
+			n /= prime[k];
+	return n == 1 || n == 11 || n == 13;
+}
+
+int
+transform_fast_size(int n, int step)
+{
+	int d = 0;
+
+	while (!is_fast(n + d) && !is_fast(n - d))
+		d += step;
+	return is_fast(n + d) ? n + d : n - d;
+}
+
 int
 transform_init(Transform *t, int N)
 {

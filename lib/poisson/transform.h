@@ -33,6 +33,11 @@ void transform_free(Transform *t);
  * allocated by fftw_alloc_real. */
 size_t transform_room(const Transform *t);
 
+/* The number nearest to n >= 1 (of two, the larger), among those that leave the same remainder divided by
+ * `step` as n, of which a real Fourier transform is fast: its prime factors are at most 7, but
+ * for one 11 or 13 (FFTW manual, 4.3.1). */
+int transform_fast_size(int n, int step);
+
 /* Transforms f in place: the N - 1 numbers f_1 .. f_{N-1}, with f_1 at f[0].  N >= 2. */
 void transform_sine(const Transform *t, double *f, double *work);
 
