@@ -71,6 +71,7 @@ CMD_USAGE
 enum { FLIP = 256, CHART, CONES, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, LIKE, REVERSED, MAX_CELLS,
 	UV = CMD_UNRECORDED, MAX_LOSS };
 
+enum { AUTO = 2 };                      /* of --chart, after the charts of lhg.h */
 static const double KEEP = 0.99;        /* fraction of the area, for -n auto */
 
 static const struct option longopt[] = {
@@ -205,7 +206,8 @@ begin_output(Lhg *out, const Grid *grid)
 static Chart
 on_chart(int kind, const char *cones, const char *like, Chart g, ConformalOptions *o)
 {
-	g.kind = chart_kind(lhg_chartname(kind));
+	g.kind = kind == LHG_SOCK ? &CHART_SOCK : &CHART_RECTANGLE;
+	o->choose = kind == AUTO;
 	if (cones && kind != LHG_SOCK)
 		misuse("--cones needs --chart=sock");
 	if (like && kind == LHG_SOCK) {
@@ -213,6 +215,8 @@ on_chart(int kind, const char *cones, const char *like, Chart g, ConformalOption
 		o->keep = o->shape = 0;
 		return g;
 	}
+	if (o->choose && !(o->shape || o->keep > 0))
+		misuse("--chart=auto chooses the shape of the grid: --cells=N or auto");
 	if (kind != LHG_SOCK || o->shape || o->keep > 0)
 		return g;
 	g.nu--, g.nv--;                 /* a row of nodes round the sock has as many nodes as cells */
@@ -245,7 +249,7 @@ keep_facts(Soup *s)
 int
 main(int argc, char *argv[])
 {
-	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0, 1024, { -1, -1 }, 1 };
+	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0, 1024, { -1, -1 }, 0, 1 };
 	const char *corners = NULL, *cones = NULL, *like = NULL, *uv = NULL;
 	Chart g = { 257, 257, 1, &CHART_RECTANGLE };
 	int opt, corner[4], kind = LHG_RECTANGLE, flip = 0, reversed = 0;
@@ -260,7 +264,7 @@ main(int argc, char *argv[])
 	while ((opt = cmd_getopt(argc, argv, "n:c:", longopt)) != -1)
 		switch (opt) {
 		case 'n': opt_cells(optarg, &g, &options); break;
-		case CHART: kind = opt_word(optarg, "rectangle\0sock\0", "chart"); break;
+		case CHART: kind = opt_word(optarg, "rectangle\0sock\0auto\0", "chart"); break;
 		case CONES: cones = optarg; break;
 		case 'c': corners = optarg; break;
 		case LIKE: like = optarg; break;
@@ -297,8 +301,10 @@ main(int argc, char *argv[])
 
 	begin_output(&out, &c.grid);
 	quality_meta(&out, &d, corner, apart, &c);
-	if (kind == LHG_SOCK)
+	if (out.chart == LHG_SOCK)
 		cones_meta(&out, &d, &c);
+	else
+		cones_note(cmd_name_of(argv[optind]), &c);
 	quality_facts(&out, s.facts);
 	loss_report(&out, cmd_name_of(argv[optind]), most_lost, &d, &c);
 	quality_notes(cmd_name_of(argv[optind]), uv, &d, &options, &c);

@@ -50,3 +50,12 @@ cones_meta(Lhg *out, const Disk *d, const Conformal *c)
 	cmd_meta(out, "cones", "%d,%d", d->file[c->cone[0]], d->file[c->cone[1]]);
 	cmd_meta(out, "chi2", "%.4g", c->chi2[1]);
 }
+
+void
+cones_note(const char *mesh, const Conformal *c)
+{
+	detail("%s: chi^2 %.3g on this rectangle, %.3g on a sock", mesh, c->chi2[0], c->chi2[1]);
+	if (c->chi2[1] > 0 && c->chi2[0] > CONFORMAL_CLEARLY*c->chi2[1])
+		note("%s: limbs are small on the rectangle (chi^2 %.3g); --chart=sock holds them far better (%.3g)", mesh,
+		    c->chi2[0], c->chi2[1]);
+}

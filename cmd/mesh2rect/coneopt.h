@@ -12,4 +12,7 @@ void opt_cones(const char *arg, const Disk *d, int cone[2]);
 /* Adds the metadata of a sock. */
 void cones_meta(Lhg *out, const Disk *d, const Conformal *c);
 
+/* Notes if a sock would hold the surface clearly better than the rectangle of c. */
+void cones_note(const char *mesh, const Conformal *c);
+
 #endif

@@ -12,8 +12,11 @@ enum {
 	STARTS = 6,
 	ROUNDS = 4,             /* of the simplex, each about the best pair so far */
 	STEPS  = 200,           /* of a round */
-	FREE   = 4              /* two coordinates of each cone */
+	FREE   = 4,             /* two coordinates of each cone */
+	BINS   = 16*160         /* of ratios from 2^-80 to 2^80 */
 };
+static const double TRIMMED = 0.01;     /* of the area: as much as mesh2rect -n auto may lose.  Nostrils and
+                                         * folds would outweigh all limbs */
 static const double REACH = 0.15;       /* size of the first simplex, as a hyperbolic distance */
 static const double SPREAD = 1./16;     /* |z - a|^2 is taken as |z - a|^2 + S/16, the mean over a part
                                          * that holds the cone */
@@ -141,18 +144,50 @@ softened(double complex d, double S)
 	return creal(d)*creal(d) + cimag(d)*cimag(d) + SPREAD*S;
 }
 
-/* chi^2 for the areas S/sqrt(q). */
+/* The bin of a ratio: sixteen for each power of two. */
+static int
+bin_of(double ratio)
+{
+	int e;
+	double m = frexp(ratio, &e);
+
+	e += BINS/32;
+	return e < 0 ? 0 : e >= BINS/16 ? BINS - 1 : 16*e + (int)(32*m - 16);
+}
+
+/* The lowest bin whose parts, with those of all higher bins, have at most the share TRIMMED of the area. */
+static int
+trim(const Parts *p, const double *ratio)
+{
+	double area[BINS] = { 0 }, left = 0;
+	int i, b;
+
+	for (i = 0; i < p->n; i++) {
+		area[bin_of(ratio[i])] += p->A[i];
+		left += TRIMMED*p->A[i];
+	}
+	for (b = BINS - 1; b >= 0 && area[b] <= left; b--)
+		left -= area[b];
+	return b + 1;
+}
+
+/* chi^2 for the areas S/sqrt(q), without the parts that are smallest in the chart for their area. */
 static double
 chi2(const Parts *p, const double *q)
 {
-	double A = 0, a, sum = 0, inverse = 0;
-	int i;
+	double A = 0, a, sum = 0, inverse = 0, ratio[PARTS];
+	int i, end;
 
+	for (i = 0; i < p->n; i++)
+		ratio[i] = p->A[i]/p->S[i]*sqrt(q[i]);
+	end = trim(p, ratio);
 	for (i = 0; i < p->n; i++) {
-		a = p->S[i]/sqrt(q[i]);
+		if (bin_of(ratio[i]) >= end)
+			continue;
+		a = p->A[i]/ratio[i];
 		A += p->A[i];
 		sum += a;
-		inverse += p->A[i]*p->A[i]/a;
+		inverse += p->A[i]*ratio[i];
 	}
 	return inverse*sum/(A*A);
 }

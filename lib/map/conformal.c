@@ -148,9 +148,11 @@ nearest_vertex(int n, const double complex *z, double complex a)
 	return best;
 }
 
-/* Sets the cones of a sock, and chi^2 with and without them.  z: of the vertices, in the unit disk. */
+/* Sets chi^2, and the cones of a sock; unless that is `wanted`, only if it might be clearly better.  z: of the
+ * vertices, in the unit disk. */
 static int
-find_cones(const Disk *d, const int corner[4], const int given[2], const double complex *z, Conformal *c)
+find_cones(const Disk *d, const int corner[4], const int given[2], int wanted, const double complex *z,
+	Conformal *c)
 {
 	double complex at[4];
 	Parts parts;
@@ -158,42 +160,46 @@ find_cones(const Disk *d, const int corner[4], const int given[2], const double 
 
 	if (parts_init(&parts, &d->m, z))
 		return SPD_ENOMEM;
+	for (k = 0; k < 4; k++)
+		at[k] = z[d->loop[corner[k]]];
+	c->chi2[0] = parts_rectangle(&parts, at);
 	for (k = 0; k < 2; k++)
 		c->cone[k] = given[k];
-	if (given[0] < 0) {
+	if (given[0] < 0 && (wanted || c->chi2[0] > CONFORMAL_CLEARLY)) {
 		cones_choose(&parts, at);
 		for (k = 0; k < 2; k++)
 			c->cone[k] = nearest_vertex(d->m.nv, z, at[k]);
 	}
-	for (k = 0; k < 4; k++)
-		at[k] = z[d->loop[corner[k]]];
-	c->chi2[0] = parts_rectangle(&parts, at);
-	c->chi2[1] = parts_sock(&parts, z[c->cone[0]], z[c->cone[1]]);
+	if (c->cone[0] >= 0 && c->cone[1] >= 0 && c->cone[0] != c->cone[1])
+		c->chi2[1] = parts_sock(&parts, z[c->cone[0]], z[c->cone[1]]);
 	parts_free(&parts);
 	return 0;
 }
 
-/* Makes the map of the chart; on a sock, finds its cones. */
+/* Finds the cones, and makes the map of the chart.  *kind may become the sock. */
 static int
-make_chart(const Disk *d, const int corner[4], const ConformalOptions *o, Sampling *at, const ChartKind *kind,
+make_chart(const Disk *d, const int corner[4], const ConformalOptions *o, Sampling *at, const ChartKind **kind,
 	Conformal *c)
 {
-	double complex *z;
+	double complex *z = malloc(d->m.nv*sizeof *z);
+	double T = at->s->l.T;
 	int i, e;
 
-	at->map = chartmap_rectangle(at->s->l.T);
-	if (!kind->folded)
-		return 0;
-	z = malloc(d->m.nv*sizeof *z);
 	if (!z)
 		return SPD_ENOMEM;
+	#pragma omp parallel for schedule(static)
 	for (i = 0; i < d->m.nv; i++)
-		z[i] = chartmap_disk(at->s->l.T, at->u[i], at->v[i]);
-	e = find_cones(d, corner, o->cone, z, c);
-	if (!e && (c->cone[0] < 0 || c->cone[1] < 0 || c->cone[0] == c->cone[1]))
-		e = CONFORMAL_ECONES;
-	if (!e)
-		at->map = chartmap_sock(at->s->l.T, z[c->cone[0]], z[c->cone[1]]);
+		z[i] = chartmap_disk(T, at->u[i], at->v[i]);
+	e = find_cones(d, corner, o->cone, (*kind)->folded, z, c);
+	if (!e && o->choose && c->chi2[1] > 0 && c->chi2[0] > CONFORMAL_CLEARLY*c->chi2[1])
+		*kind = &CHART_SOCK;
+	at->map = chartmap_rectangle(T);
+	if (!e && (*kind)->folded) {
+		if (c->chi2[1] > 0)
+			at->map = chartmap_sock(T, z[c->cone[0]], z[c->cone[1]]);
+		else
+			e = CONFORMAL_ECONES;
+	}
 	free(z);
 	return e;
 }
@@ -211,7 +217,7 @@ sample(const Disk *d, const int corner[4], const Solved *m, Chart g, const Confo
 
 	if (sampler_init(&s, smooth ? d : &m->mesh->d, m->u, m->v, m->T, options->surface))
 		return SPD_ENOMEM;
-	e = make_chart(d, corner, options, &at, g.kind, c);
+	e = make_chart(d, corner, options, &at, &g.kind, c);
 	if (!e && smooth && c->overlaid && sampler_overlay(&s, m->mesh, m->u, m->v))
 		e = SPD_ENOMEM;
 	if (!e)

@@ -7,6 +7,10 @@
 #include "polish.h"
 #include "untangle.h"
 
+/* A sock is clearly better if its chi^2 is less than that of the rectangle over this.  A smaller gain shows
+ * in numbers, but the surface is distributed less evenly over its boundary.  doc/mathematics.md 3.8. */
+#define CONFORMAL_CLEARLY 6.5
+
 /* The cones of a sock are equal or on the boundary, or lie so deep in limbs that they cannot be told
  * apart. */
 enum { CONFORMAL_ECONES = -30 };
@@ -19,6 +23,7 @@ typedef struct ConformalOptions {
 	                         * u and v, whose grid keeps this share of the area of the disk */
 	int    most;            /* if keep > 0: largest number of cells along u and v, >= 4 */
 	int    cone[2];         /* vertices that become the cones of a sock; -1: cones_choose */
+	int    choose;          /* 1: take the sock in place of the given rectangle if it is clearly better */
 	int    shape;           /* 1: take the number of nodes of the given grid, but on a sock choose nu and
 	                         * nv so that its cells are about square */
 } ConformalOptions;
@@ -37,7 +42,8 @@ typedef struct Conformal {
 	Untangled uv;           /* how turned triangles of the disk were turned back (untangle.h) */
 	int     polished;       /* rounds of polishing that were kept */
 	int     cone[2];        /* vertices that are the cones of a sock, or were chosen for one */
-	double  chi2[2];        /* of the rectangle, of the sock with these cones (cones.h) */
+	double  chi2[2];        /* of the rectangle; and of the sock with these cones, or 0 if that cannot
+	                         * be much better (cones.h) */
 } Conformal;
 
 /* Maps the disk d and samples it on a grid of the kind g.kind with g.nu x g.nv nodes (g.T is not read;
