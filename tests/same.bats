@@ -39,6 +39,13 @@ same() {
 @test "lhinterp"  { same lhinterp -n 3 lh lh; }
 @test "lh2grid"   { same lh2grid lh; same lh2grid --no-start --ideal small.lh; same lh2grid --method=frame small.lh; }
 @test "grid2mesh" { same grid2mesh phi; same grid2mesh --on uv.ply phi; }
+@test "a sock" {
+	same mesh2rect --chart=sock -n 48 face.off
+	mesh2rect -q --chart=sock -n 48 face.off | grid2lh -o "$tmp/sock.lh"
+	cp "$tmp/sock.lh" there
+	same lhfft --scale=5% sock.lh
+	same lh2grid --no-place sock.lh
+}
 @test "lh2png"    { same lh2png -v phi; same lh2png -c all lh; }
 @test "lhinfo"    { same lhinfo phi lh; same lhinfo --json lh; }
 @test "lhdiff"    { same lhdiff --no-self-intersections phi face.off; same lhdiff --json phi phi; }
