@@ -186,6 +186,7 @@ gradient_beyond_joined_sides(void **state)
 		for (k = 0; k < 3*N; k++)
 			phi[k] += e[k];
 		m = misfit_of(&residue);
+		assert_int_equal(misfit_set_firm(&m), 0);       /* matters on a chart with cones */
 		misfit_gradient(&m, phi, g);
 		for (k = 1; k < 5; k++) {
 			random_displacement(10 + k, 1, d);
@@ -200,6 +201,41 @@ gradient_beyond_joined_sides(void **state)
 	}
 	chart.kind = &CHART_RECTANGLE;
 	boundary_is_free = 0;
+}
+
+/* How much E rises with an error of H at node (5,7): by its first line. */
+static double
+rise(Misfit *m)
+{
+	double before = misfit_energy(m, phi), H2 = m->l2H2[7*34 + 5], after;
+
+	m->l2H2[7*34 + 5] = 2*H2;
+	after = misfit_energy(m, phi);
+	m->l2H2[7*34 + 5] = H2;
+	return after - before;
+}
+
+/* misfit_set_firm multiplies the first two lines by 1 + (0.05/r)^2 on a sock, by 1 on the rectangle. */
+static void
+lines_are_firm_beside_cones(void **state)
+{
+	double plain, firm, u = 5.5/34, v = 7.5*0.8/44.5, want;
+	Misfit m;
+	int k;
+
+	(void)state;
+	for (k = 0; k < 2; k++) {
+		chart.kind = k ? &CHART_SOCK : &CHART_RECTANGLE;
+		surface_of_size(1);
+		m = misfit_of(&residue);
+		plain = rise(&m);
+		assert_int_equal(misfit_set_firm(&m), 0);
+		firm = rise(&m);
+		want = k ? 1 + 0.0025/(u*u + v*v) : 1;
+		assert_true(plain > 1e-6 && fabs(firm/plain - want) < 1e-6);
+		misfit_free(&m);
+	}
+	chart.kind = &CHART_RECTANGLE;
 }
 
 /* The hold beyond that of all nodes falls by half with each ring, and the third line counts 1/100
@@ -414,6 +450,7 @@ main(void)
 		cmocka_unit_test(gradient_is_the_derivative),
 		cmocka_unit_test(normal_matrix_is_that_of_the_gradient),
 		cmocka_unit_test(gradient_beyond_joined_sides),
+		cmocka_unit_test(lines_are_firm_beside_cones),
 		cmocka_unit_test(place_is_held_more_on_the_first_rings),
 		cmocka_unit_test(gradient_with_a_place),
 		cmocka_unit_test(free_gradient_is_the_derivative),

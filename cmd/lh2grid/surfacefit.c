@@ -240,6 +240,7 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 	FitOptions how = { .tolerance = o->tolerance, .most = o->steps, .sharpen = 1, .report = report_step,
 	    .ctx = (void *)in };
 	double began = seconds();
+	char value[LHG_KEYLEN];
 	double *start = has_start(g, o) ? read_start(in, g, &s) : NULL;
 	MisfitPlace place;
 	double *held = read_place(in, g, o, &place);
@@ -252,6 +253,7 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 	s.place = held ? &place : NULL;
 	s.forecast = o->forecast;
 	s.detail = o->detail;
+	s.filtered = lhg_getmeta(g, "waves", value, sizeof value) != NULL;
 	s.free = o->free;
 	s.adrift = o->free && !surfacefit_rings(g, o);
 	if (s.free && (g->nu < 3 || g->nv < 3))

@@ -75,6 +75,7 @@ typedef struct Misfit {
 	double        *lambda2, *l2H2;  /* [nv][nu] lambda^2 and 2 lambda^2 H */
 	double        *o;               /* [nv][nu] */
 	double        *round;           /* [nv][nu] lambda0^2 over its mean, or NULL (round.h) */
+	double        *firm;            /* [nv][nu] factor of the first two lines, or NULL: 1 */
 	double        *row, *work;      /* workspace: sums of rows; adjoint rows */
 	const Residue *residue;         /* or NULL */
 	int            free;            /* the border nodes are unknowns */
@@ -93,6 +94,15 @@ void misfit_free(Misfit *m);
 /* Makes the boundary free.  Residues are not defined on the border, so the target there is a
  * conformal metric. */
 void misfit_set_free(Misfit *m);
+
+/* For lambda and H that belong to no surface: on a chart with cones, multiplies the first two lines by
+ *
+ *   1 + (0.05/r)^2,    r the distance from the nearest cone, in units of u.
+ *
+ * A spike like r^2 log r has finite energy without this, and infinite energy with it, as spikes of smooth
+ * surfaces have.  Data of a surface have no spikes, and are fitted better without.  Returns 0 or
+ * MISFIT_ENOMEM. */
+int  misfit_set_firm(Misfit *m);
 
 /* Holds the surface at a place and keeps the pointer place->phi; NULL: does not hold it any more.
  * Returns 0 or MISFIT_ENOMEM. */

@@ -81,7 +81,7 @@ local(const Misfit *m, const double *phi, const Quad *q, Local *a)
 INLINE void
 weights(const Misfit *m, const Quad *q, Nodes w[MISFIT_PARTS])
 {
-	Nodes o, l2, metric, area2;
+	Nodes o, l2, metric, area2, firm;
 
 	quad_load(q, m->o, &o);
 	quad_load(q, m->lambda2, &l2);
@@ -92,6 +92,12 @@ weights(const Misfit *m, const Quad *q, Nodes w[MISFIT_PARTS])
 		w[0] *= area2;
 	}
 	w[1] = w[2] = m->alpha*m->alpha*metric*o;
+	if (m->firm) {
+		quad_load(q, m->firm, &firm);
+		w[0] *= firm;
+		w[1] *= firm;
+		w[2] = w[1];
+	}
 	w[3] = m->w*m->w*metric*m->stretch;
 	w[4] = w[5] = m->w*m->w*metric*o;
 }

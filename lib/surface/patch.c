@@ -7,7 +7,7 @@
 
 static const double RESOLVED = 0.3;     /* weight o from which the plate preconditions well enough */
 static const double SHARE = 0.01;       /* largest fraction of nodes chosen, without neighbours */
-
+static const double FIRM = 4;           /* so are nodes of firmness up to this: less time than 2 and 1.3 */
 
 static int
 by_size(const void *a, const void *b)
@@ -64,7 +64,8 @@ choose(Patch *p)
 		p->number[q] = -1;
 	for (j = rows.from; j < rows.to; j++)
 		for (i = columns.from; i < columns.to; i++) {
-			if (!(p->m->o[(size_t)j*g.nu + i] < below))
+			q = j*g.nu + i;
+			if (!(p->m->o[q] < below || (p->m->firm && p->m->firm[q] > FIRM)))
 				continue;
 			for (b = j - 1; b <= j + 1; b++)
 				for (a = i - 1; a <= i + 1; a++) {

@@ -20,17 +20,18 @@ static const double FLAT = 1e-6, FLAT_COARSE = 1e-3;
 static const double WHOLE[2] = { 1, 1 };
 
 static int
-fit_level(const Level *l, int finest, const Residue *residue, const MisfitPlace *place, int free,
-	const FitOptions *o, FitProgress *at)
+fit_level(const Surface *s, const Level *l, int finest, const MisfitPlace *place, const FitOptions *o,
+	FitProgress *at)
 {
+	const Residue *residue = finest ? s->residue : NULL;
 	Misfit m;
 	int r;
 
 	if (misfit_init(&m, l->g, l->lambda2, l->l2H, residue))
 		return SURFACE_ENOMEM;
-	if (free)
+	if (s->free)
 		misfit_set_free(&m);
-	if (misfit_hold(&m, place)) {
+	if (misfit_hold(&m, place) || (s->filtered && !s->free && !place && !residue && misfit_set_firm(&m))) {
 		misfit_free(&m);
 		return SURFACE_ENOMEM;
 	}
@@ -59,7 +60,7 @@ fit_finest(const Surface *s, double unit, const Level *l, const MisfitPlace *pla
 		at->cost *= (size_t)at->nu*at->nv/(double)level_nodes(l->g);
 		r = fitexact(l->g, l->lambda2, l->l2H, s->residue, o, l->phi, at);
 	} else
-		r = fit_level(l, 1, s->residue, place, s->free, o, at);
+		r = fit_level(s, l, 1, place, o, at);
 	for (p = 0; s->detail && p < n; p++)
 		s->detail[p] = (l->phi[p] - s->detail[p])*unit;
 	return r;
@@ -136,7 +137,7 @@ descend(const Surface *s, double unit, const Level *l, const FitOptions *o, doub
 	coarse.most = ROUGH;
 	coarse.sharpen = 0;
 	coarse.flat = s->free ? FLAT : FLAT_COARSE;
-	return fit_level(l, 0, NULL, NULL, s->free, &coarse, at);
+	return fit_level(s, l, 0, NULL, &coarse, at);
 }
 
 /* Coarsening multiplies interior values by 0; set them to 0 first, since 0*NaN is NaN. */

@@ -34,6 +34,7 @@ typedef struct Surface {
 	                                 * coarsest grid, from the outer rings of phi (start.h) */
 	const MisfitPlace *place;       /* or NULL; the surface is held at it and starts from it, on the finest
 	                                 * grid alone */
+	int            filtered;        /* lambda and H are of no surface (misfit_set_firm) */
 	int            free;            /* the boundary is not held */
 	int            adrift;          /* free: the border of phi is not given, but a start is */
 	const double  *forecast;        /* [3][nv][nu], or NULL: a guess of the detail, added to the
