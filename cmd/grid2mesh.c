@@ -8,10 +8,10 @@
 #include "grid2mesh/gridfile.h"
 
 static const char text[] =
-"usage: grid2mesh [-o FILE] [--on=MESH] [GRID] >mesh.off\n"
-"Writes a gridded surface, channels x y z, as a triangle mesh: a vertex for each node, row by\n"
-"row, and two triangles for each cell, split along its shorter diagonal.  Normals point along\n"
-"x_u cross x_v.  Every face has area: where a cell is flat it is split along the other diagonal,\n"
+"usage: grid2mesh [-o FILE] [--on=MESH] [--with=NAMES] [GRID] >mesh.off\n"
+"Writes a gridded surface, channels x y z or place.x place.y place.z, as a triangle mesh:\n"
+"a vertex for each node, row by row, and two triangles for each cell, split along its shorter\n"
+"diagonal.  Normals point along x_u cross x_v.  Every face has area: where a cell is flat it is split along the other diagonal,\n"
 "or its nodes are moved by a thousandth of a cell, for STL by what a float can tell apart.\n"
 "In PLY and OBJ, comments hold the metadata space, c_ras, unit and source, if GRID has them.\n"
 "      --on=MESH      write MESH instead, with each vertex moved to its (u,v) on the grid\n"
@@ -25,6 +25,12 @@ static const char text[] =
 "                     shorter they are against its shortest waves (metadatum waves) [keep]\n"
 "      --filled=drop|keep  faces of MESH that mesh2disk marked as filling holes are left out, and\n"
 "                     the vertices that only they have; or kept [drop]\n"
+"      --with=NAMES   also write these channels of GRID, as lambda,H, at the vertices: as\n"
+"                     properties of PLY and point data of VTP; or alone, to FILE that ends in\n"
+"                     .shape.gii .func.gii (GIFTI) .curv .sulc .thickness (FreeSurfer, one channel);\n"
+"                     NaN at a vertex without (u,v)\n"
+"      --flip-sign    negate H.  With outward normals H is positive in a sulcus, as FreeSurfer's\n"
+"                     curv; files of the HCP for Workbench count a sulcus negative\n"
 "  -o, --output=FILE  write FILE, in the format that its name ends in, {ends}\n"
 "                     [{stdout} to stdout].  For a stream of several grids the name must have a\n"
 "                     number, as in frame-%03d.off, which counts from 1.  Each file is written\n"
@@ -39,6 +45,8 @@ static const struct option longopt[] = {
 	{ "on",     required_argument, NULL, 'O' },
 	{ "detail", required_argument, NULL, 'd' },
 	{ "filled", required_argument, NULL, 'f' },
+	{ "with",   required_argument, NULL, 'w' },
+	{ "flip-sign", no_argument,    NULL, 'F' },
 	CMD_LONGOPT
 };
 
@@ -55,6 +63,20 @@ check_on(const char *on, const char *grid, const MeshFormat *format)
 		    meshformat_ends(MESHFORMAT_SHARED | MESHFORMAT_WRITE, list));
 }
 
+/* Exit 2 if there is no place for the fields, or none for a file of fields. */
+static void
+check_with(const Fields *f, const MeshFormat *format, const FieldFormat *alone)
+{
+	char list[FIELDFORMAT_LIST];
+
+	if (alone && !f->names)
+		misuse("--output: a %s file holds channels, need --with", alone->name);
+	if (f->names && !alone && !(format->can & MESHFORMAT_FIELDS))
+		misuse("--with: %s has no place for channels, .ply .vtp and %s have", format->name, fieldformat_ends(list));
+	if (f->flip && !f->names)
+		misuse("--flip-sign needs --with");
+}
+
 int
 main(int argc, char *argv[])
 {
@@ -62,6 +84,8 @@ main(int argc, char *argv[])
 	char path[4096], list[MESHFORMAT_LIST], *bytes;
 	const char *name, *on = NULL;
 	OnMesh mesh = { 0 };
+	Fields fields = { NULL, 0 };
+	const FieldFormat *alone;
 	const MeshFormat *format;
 	int many, opt, i = 0, offsets = -1, filled = -1;
 	size_t n;
@@ -73,16 +97,20 @@ main(int argc, char *argv[])
 		switch (opt) {
 		case 'O': on = optarg; break;
 		case 'd': offsets = opt_word(optarg, "keep\0drop\0smooth\0", "detail"); break;
+		case 'w': fields.names = optarg; break;
+		case 'F': fields.flip = 1; break;
 		case 'f': filled = opt_word(optarg, "drop\0keep\0", "filled"); break;
 		}
 	if ((offsets >= 0 || filled >= 0) && !on)
 		misuse("--%s needs --on", offsets >= 0 ? "detail" : "filled");
 	cmd_operands(argc, argv, 0, 1);
 	name = cmd_output();
-	if (!(format = name ? meshformat_of(name) : meshformat(0)))
+	alone = name ? fieldformat_of(name) : NULL;
+	if (!(format = name ? meshformat_of(name) : meshformat(0)) && !alone)
 		misuse("--output=%s: need a name that ends in %s", name, meshformat_ends(MESHFORMAT_WRITE, list));
+	check_with(&fields, format, alone);
 	many = numbered(name);
-	if (on)
+	if (on && !alone)
 		check_on(on, argv[optind], format);
 
 	cmd_open(&in, argv[optind]);
@@ -91,7 +119,10 @@ main(int argc, char *argv[])
 			die("%s: holds several grids, one for each file: need -o NAME-%%03d.off", in.name);
 		if (on && i == 0)
 			gridfile_read_mesh(on, offsets, filled > 0, &mesh); /* once mesh2rect has written it */
-		gridfile_bytes(&in, &g, &mesh, format, &bytes, &n);
+		if (alone)
+			gridfile_field_bytes(&in, &g, &mesh, &fields, alone, &bytes, &n);
+		else
+			gridfile_bytes(&in, &g, &mesh, &fields, format, &bytes, &n);
 		cmd_write_bytes(numbered_name(name, ++i, path, sizeof path), bytes, n);
 		free(bytes);
 		lhg_free(&g);

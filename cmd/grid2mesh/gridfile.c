@@ -13,6 +13,7 @@
 #include "../../lib/meshfile/meshfile.h"
 #include "../shared/chartof.h"
 #include "../shared/load.h"
+#include "../shared/place.h"
 #include "gridfile.h"
 
 void
@@ -57,8 +58,8 @@ facts_of(const Lhg *g)
 }
 
 static void
-mesh_of_grid(const CmdInput *in, const Lhg *g, const double *const phi[3], const MeshFormat *format,
-	char **bytes, size_t *n)
+mesh_of_grid(const CmdInput *in, const Lhg *g, const double *const phi[3], const Fields *fields,
+	const MeshFormat *format, char **bytes, size_t *n)
 {
 	Soup s = { .facts = NULL };
 	Mesh m;
@@ -68,8 +69,10 @@ mesh_of_grid(const CmdInput *in, const Lhg *g, const double *const phi[3], const
 		e = gridmesh_part(&m, chart_of(g), (format->can & MESHFORMAT_SINGLE) != 0, &left);
 	if (!e) {
 		s = (Soup){ .nv = m.nv, .nf = m.nf, .xyz = m.xyz, .idx = m.tri, .facts = facts_of(g) };
+		fields_add(in, g, fields, m.nv, NULL, &s.channels);
 		e = meshfile_write(&s, format, bytes, n);
 		free(s.facts);
+		channels_free(&s.channels);
 	}
 	if (e == MESH_EVALUE)
 		die("%s: a coordinate is too large for %s", in->name, format->name);
@@ -188,30 +191,77 @@ place_mesh(const CmdInput *in, const Lhg *g, const double *const phi[3], const O
 
 static void
 moved_mesh(const CmdInput *in, const Lhg *g, const double *const phi[3], const OnMesh *on,
-	const MeshFormat *format, char **bytes, size_t *n)
+	const Fields *fields, const MeshFormat *format, char **bytes, size_t *n)
 {
 	Soup s;
+	int e;
 
 	place_mesh(in, g, phi, on, &s);
+	fields_add(in, g, fields, s.nv, channel_values(&s.channels, MESH_UV), &s.channels);
 	s.facts = facts_of(g);
-	if (meshfile_write(&s, format, bytes, n))
+	e = meshfile_write(&s, format, bytes, n);
+	if (e == MESH_EFACE)
+		die("%s: %s has only triangles, a face of the mesh is none", on->name, format->name);
+	if (e == MESH_EVALUE)
+		die("%s: a coordinate is too large for %s", on->name, format->name);
+	if (e)
 		die("%s: no memory for a mesh of %d vertices", on->name, s.nv);
 	free(s.facts);
 	free(s.xyz);
 	channels_free(&s.channels);
 }
 
+/* The positions of the nodes: x y z, or, between grid2lh and lh2grid, the place. */
+static void
+positions(const CmdInput *in, const Lhg *g, const double *phi[3])
+{
+	static const char *const name[3] = { "x", "y", "z" };
+	int c, placed = !lhg_find(g, "x") && lhg_find(g, PLACE[0]);
+
+	for (c = 0; c < 3; c++)
+		phi[c] = cmd_need(in, g, placed ? PLACE[c] : name[c], LHG_GRID);
+}
+
 void
-gridfile_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const MeshFormat *format,
-	char **bytes, size_t *n)
+gridfile_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields *fields,
+	const MeshFormat *format, char **bytes, size_t *n)
 {
 	const double *phi[3];
 
-	phi[0] = cmd_need(in, g, "x", LHG_GRID);
-	phi[1] = cmd_need(in, g, "y", LHG_GRID);
-	phi[2] = cmd_need(in, g, "z", LHG_GRID);
+	positions(in, g, phi);
 	if (on->name)
-		moved_mesh(in, g, phi, on, format, bytes, n);
+		moved_mesh(in, g, phi, on, fields, format, bytes, n);
 	else
-		mesh_of_grid(in, g, phi, format, bytes, n);
+		mesh_of_grid(in, g, phi, fields, format, bytes, n);
+}
+
+/* The (u,v) of the mesh of --on on the chart of g, to be freed. */
+static double *
+places(const Lhg *g, const OnMesh *on)
+{
+	const double *was = channel_values(&on->s.channels, MESH_UV);
+	double *uv = cmd_alloc((size_t)on->s.nv, 2*sizeof *uv);
+	int at;
+
+	if (gridpoint_uv(chart_of(g), on->s.T, on->s.nv, was, uv, &at))
+		die("%s: vertex %d has (u,v) = (%g,%g), outside [0,1] x [0,%g]", on->name, at,
+		    was[2*(size_t)at], was[2*(size_t)at+1], on->s.T > 0 ? on->s.T : g->T);
+	return uv;
+}
+
+void
+gridfile_field_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields *fields,
+	const FieldFormat *format, char **bytes, size_t *n)
+{
+	double *uv = on->name ? places(g, on) : NULL;
+	int nv = on->name ? on->s.nv : g->nu*g->nv, nf = on->name ? on->s.nf : 2*chart_of(g).kind->cells(chart_of(g));
+	Channels c = { 0 };
+
+	fields_add(in, g, fields, nv, uv, &c);
+	if (format->most && c.n > format->most)
+		misuse("--with=%s: a %s file holds one channel", fields->names, format->name);
+	if (fieldfile_write(&c, nv, nf, format, bytes, n))
+		die("%s: no memory for %d vertices", in->name, nv);
+	channels_free(&c);
+	free(uv);
 }

@@ -3,7 +3,9 @@
 #define CMD_GRIDFILE_H
 
 #include "../../lib/meshfile/meshformat.h"
+#include "../../lib/meshfile/fieldfile.h"
 #include "../shared/cmd.h"
+#include "fields.h"
 
 /* How the offsets of the mesh of --on are used. */
 enum { OFFSETS_KEEP, OFFSETS_DROP, OFFSETS_SMOOTH };
@@ -21,10 +23,15 @@ typedef struct OnMesh {
  * noted, unless keep_filled is not 0. */
 void gridfile_read_mesh(const char *path, int offsets, int keep_filled, OnMesh *on);
 
-/* Makes the bytes of a mesh file of that format, or dies.  Without a mesh in `on`, the mesh has the
+/* Makes the bytes of a file of fields alone, at the vertices of the mesh of --on or at the nodes. */
+void gridfile_field_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields *fields,
+	const FieldFormat *format, char **bytes, size_t *n);
+
+/* Makes the bytes of a mesh file of that format, with the fields, or dies.  Positions are x y z of the grid, or
+ * place.x place.y place.z.  Without a mesh in `on`, the mesh has the
  * nodes of the grid and two triangles for each cell.  Otherwise it has the faces of that mesh, with
  * the vertices at their (u,v) on the grid and moved by their offsets. */
-void gridfile_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const MeshFormat *format,
-	char **bytes, size_t *n);
+void gridfile_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields *fields,
+	const MeshFormat *format, char **bytes, size_t *n);
 
 #endif

@@ -75,7 +75,8 @@ int meshfile_plausible(const void *head, size_t n, size_t most, char err[MESH_ER
 /* Writes the vertices and polygons of s, unchanged, as a mesh file in memory; also the channels
  * MESH_UV and MESH_OFFSET, the facts, and T, if s has them and the format can store them.  OFF and OBJ are
  * text from which every double is read back exactly, PLY is binary_little_endian double, STL is
- * binary float.  *bytes is malloc'd, *n its length; on failure there is nothing to free.  Returns 0,
+ * binary float, VTP base64 double, GIFTI and FreeSurfer float.  PLY and VTP hold all other channels, too.
+ * *bytes is malloc'd, *n its length; on failure there is nothing to free.  Returns 0,
  * MESH_ENOMEM, MESH_EVALUE if a coordinate is too large for the format, or MESH_EFACE if a face is
  * no triangle and the format has only triangles. */
 int meshfile_write(const Soup *s, const MeshFormat *format, char **bytes, size_t *n);

@@ -8,21 +8,21 @@
 #include "writepriv.h"
 
 enum { UV = MESHFORMAT_UV, SHARED = MESHFORMAT_SHARED, WRITE = MESHFORMAT_WRITE,
-	SINGLE = MESHFORMAT_SINGLE };
+	SINGLE = MESHFORMAT_SINGLE, FIELDS = MESHFORMAT_FIELDS };
 
 static const MeshFormat table[] = {
 	{ "OFF", ".off", SHARED | WRITE,      off_recognise, off_read, off_write },
 	{ "OBJ", ".obj", SHARED | WRITE | UV, obj_recognise, obj_read, obj_write },
-	{ "PLY", ".ply", SHARED | WRITE | UV, ply_recognise, ply_read, ply_write },
+	{ "PLY", ".ply", SHARED | WRITE | UV | FIELDS, ply_recognise, ply_read, ply_write },
 	{ "STL", ".stl", WRITE | SINGLE,      stl_recognise, stl_read, stl_write },
 	{ "XYZ", ".xyz", 0,                   xyz_recognise, xyz_read, NULL },
 	{ "MNI OBJ", ".obj", SHARED,          mni_recognise, mni_read, NULL },
 	{ "Hoppe M", ".m", SHARED,            hoppe_recognise, hoppe_read, NULL },
-	{ "FreeSurfer", ".pial .white", SHARED,    fsbinary_recognise, fsbinary_read, NULL },
+	{ "FreeSurfer", ".pial .white", SHARED | WRITE | SINGLE, fsbinary_recognise, fsbinary_read, fsbinary_write },
 	{ "FreeSurfer ASCII", ".asc", SHARED, fsascii_recognise, fsascii_read, NULL },
 	{ "VTK", ".vtk", SHARED,              vtk_recognise, vtk_read, NULL },
-	{ "VTP", ".vtp", SHARED,              vtp_recognise, vtp_read, NULL },
-	{ "GIFTI", ".gii", SHARED,            gifti_recognise, gifti_read, NULL },
+	{ "VTP", ".vtp", SHARED | WRITE | FIELDS, vtp_recognise, vtp_read, vtp_write },
+	{ "GIFTI", ".gii", SHARED | WRITE | SINGLE, gifti_recognise, gifti_read, gifti_write },
 	{ "glTF", ".glb .gltf", SHARED,       gltf_recognise, gltf_read, NULL }
 };
 

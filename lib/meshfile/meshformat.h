@@ -18,7 +18,8 @@ enum {
 	MESHFORMAT_UV     = 1,  /* (u,v) can be read and written */
 	MESHFORMAT_SHARED = 2,  /* faces share vertices, which keep their number and order */
 	MESHFORMAT_WRITE  = 4,  /* can be written, not only read */
-	MESHFORMAT_SINGLE = 8   /* coordinates are written as floats */
+	MESHFORMAT_SINGLE = 8,  /* coordinates are written as floats */
+	MESHFORMAT_FIELDS = 16  /* channels other than (u,v) are written */
 };
 
 typedef struct MeshFormat {

@@ -34,10 +34,34 @@ countsize(const Soup *s)
 static const char OFFSET[] = "property double offset_u\nproperty double offset_v\n"
 	"property double offset_n\nproperty double offset_r\n";
 
-/* Which optional properties the file has. */
+/* Which optional properties the file has; fields are all other channels. */
 typedef struct Has {
 	const double *uv, *offset, *source;
 } Has;
+
+static int
+is_field(const Channel *c)
+{
+	return strcmp(c->name, MESH_UV) != 0 && strcmp(c->name, MESH_OFFSET) != 0 && strcmp(c->name, MESH_SOURCE) != 0;
+}
+
+/* A property for each number of a field: NAME, or NAME_0 NAME_1 .. */
+static int
+field_properties(Text *t, const Channels *c)
+{
+	int k, i;
+
+	for (k = 0; k < c->n; k++)
+		for (i = 0; i < c->channel[k].n && is_field(&c->channel[k]); i++) {
+			if (!text_room(t))
+				return MESH_ENOMEM;
+			t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "property double %s", c->channel[k].name);
+			if (c->channel[k].n > 1)
+				t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX/2, "_%d", i);
+			text_words(t, "\n");
+		}
+	return 0;
+}
 
 /* The lines of the remarks as comments.  Returns 0 or MESH_ENOMEM. */
 static int
@@ -54,20 +78,25 @@ remarks(Text *t, const char *line)
 	return text_room(t) ? 0 : MESH_ENOMEM;
 }
 
-static void
+static int
 plyhead(Text *t, const Soup *s, const Has *has, int size)
 {
 	t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "element vertex %d\n"
-	    "property double x\nproperty double y\nproperty double z\n%s%s%s"
-	    "element face %d\nproperty list %s int vertex_indices\n%send_header\n", s->nv,
+	    "property double x\nproperty double y\nproperty double z\n%s%s%s", s->nv,
 	    has->uv ? "property double s\nproperty double t\n" : "", has->offset ? OFFSET : "",
-	    has->source ? "property int " MESH_SOURCE "\n" : "", s->nf, size > 1 ? "int" : "uchar",
-	    s->filled ? "property uchar filled\n" : "");
+	    has->source ? "property int " MESH_SOURCE "\n" : "");
+	if (field_properties(t, &s->channels) || !text_room(t))
+		return MESH_ENOMEM;
+	t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "element face %d\nproperty list %s int vertex_indices\n%send_header\n",
+	    s->nf, size > 1 ? "int" : "uchar", s->filled ? "property uchar filled\n" : "");
+	return 0;
 }
 
 static int
 plyvertex(Text *t, const Soup *s, const Has *has, int i)
 {
+	const Channel *c;
+
 	if (!text_room(t))
 		return MESH_ENOMEM;
 	doubles(t, s->xyz + 3*(size_t)i, 3);
@@ -77,6 +106,12 @@ plyvertex(Text *t, const Soup *s, const Has *has, int i)
 		doubles(t, has->offset + 4*(size_t)i, 4);
 	if (has->source)
 		text_bytes(t, (uint64_t)(int64_t)has->source[i], 4);
+	for (c = s->channels.channel; c < s->channels.channel + s->channels.n; c++) {
+		if (!text_room(t))
+			return MESH_ENOMEM;
+		if (is_field(c))
+			doubles(t, c->f + (size_t)c->n*i, c->n);
+	}
 	return 0;
 }
 
@@ -110,7 +145,7 @@ ply_write(Text *t, const Soup *s)
 	text_modulus(t, s, "comment ");
 	if (text_facts(t, s, "comment ") || remarks(t, s->remarks))
 		return MESH_ENOMEM;
-	plyhead(t, s, &has, size);
+	e = plyhead(t, s, &has, size);
 	for (i = 0; !e && i < s->nv; i++)
 		e = plyvertex(t, s, &has, i);
 	for (i = 0; !e && i < s->nf; i++)

@@ -8,10 +8,11 @@
 #include "../mesh/mesh.h"
 
 /* A file that grows in memory. */
-typedef struct Text {
+typedef struct Text Text;
+struct Text {
 	char  *p;
 	size_t n, cap;
-} Text;
+};
 
 enum { TEXT_MAX = 400 };        /* bytes; fewer are appended after each call of text_room */
 
@@ -27,6 +28,9 @@ void text_int(Text *t, int i);
 /* Append x[nv][n] as nv lines, each beginning with the string `before`.  Returns 0 or
  * MESH_ENOMEM. */
 int text_lines(Text *t, const double *x, int nv, int n, const char *before);
+
+/* Append n bytes as base64 text, one run with = at its end.  Returns 0 or MESH_ENOMEM. */
+int text_base64(Text *t, const void *bytes, size_t n);
 
 /* If s has (u,v) and T, append the comment line "lhgrid T 0.91".  `before` is what begins a comment
  * in the format. */
@@ -45,5 +49,8 @@ int off_write(Text *t, const Soup *s);
 int obj_write(Text *t, const Soup *s);
 int ply_write(Text *t, const Soup *s);
 int stl_write(Text *t, const Soup *s);
+int fsbinary_write(Text *t, const Soup *s);
+int vtp_write(Text *t, const Soup *s);
+int gifti_write(Text *t, const Soup *s);
 
 #endif

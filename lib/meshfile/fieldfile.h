@@ -1,0 +1,37 @@
+/* fieldfile.h - files of numbers at the vertices of a mesh, without the mesh. */
+#ifndef FIELDFILE_H
+#define FIELDFILE_H
+
+#include <stddef.h>
+
+#include "../mesh/mesh.h"
+
+struct Text;
+
+/*
+ * .shape.gii .func.gii  GIFTI: an array of floats for each channel, with its name
+ * .curv .sulc .thickness  FreeSurfer: floats, one channel
+ */
+typedef struct FieldFormat {
+	const char *name;       /* "GIFTI shape" */
+	const char *ends;       /* the endings of file names, separated by blanks */
+	int         most;       /* channels; 0: any number */
+	int       (*write)(struct Text *, const Channels *, int nv, int nf);    /* private */
+} FieldFormat;
+
+/* The format for a file of this name, by its ending, in upper or lower case; NULL if it is none. */
+const FieldFormat *fieldformat_of(const char *file);
+
+/* All endings: ".shape.gii .func.gii .curv .." */
+enum { FIELDFORMAT_LIST = 80 };
+char *fieldformat_ends(char buf[FIELDFORMAT_LIST]);
+
+/* Writes channels of one number at each of nv vertices of a mesh of nf faces.  *bytes is malloc'd; on failure
+ * there is nothing to free.  Returns 0 or MESH_ENOMEM. */
+int fieldfile_write(const Channels *c, int nv, int nf, const FieldFormat *format, char **bytes, size_t *n);
+
+/* The writers: giftiwrite.c, fswrite.c. */
+int giftifields_write(struct Text *t, const Channels *c, int nv, int nf);
+int fscurv_write(struct Text *t, const Channels *c, int nv, int nf);
+
+#endif

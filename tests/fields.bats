@@ -1,0 +1,124 @@
+# fields.bats - channels of a grid on the vertices of a mesh: grid2mesh --with, and the files that hold them.
+
+load helper
+
+setup_file() {
+	load helper
+	mkmesh -n 4000 torus -o "$tmp/torus.off"
+	mesh2rect -n 64 --uv="$tmp/uv.ply" "$tmp/torus.off" -o "$tmp/phi"
+	grid2lh "$tmp/phi" -o "$tmp/lh"
+	printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n' >"$tmp/square.off"
+}
+
+# py CODE: runs CODE in Python, in the folder of the files, with numpy as np and lhg.
+py() {
+	PYTHONPATH=$PWD/scripts PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c "import os, struct, numpy as np, lhg
+os.chdir('$tmp')
+def ply(name):
+    b = open(name, 'rb').read()
+    i = b.index(b'end_header\n') + 11
+    head = b[:i].decode().split('\n')
+    n = int([w for w in head if w.startswith('element vertex')][0].split()[2])
+    face = [k for k, w in enumerate(head) if w.startswith('element face')][0]
+    kind = {'double': '<f8', 'int': '<i4'}
+    t = [(w.split()[2], kind[w.split()[1]]) for w in head[:face] if w.startswith('property')]
+    return np.frombuffer(b, t, n, i)
+$1"
+}
+
+@test "lambda and H of a torus at its own vertices are those of the formula" {
+	grid2mesh --on "$tmp/uv.ply" --with=lambda,H "$tmp/lh" -o "$tmp/x.ply"
+	py '
+v = ply("x.ply")
+R, r = 2, .8                  # mkmesh torus: H = -(1/r + cos t/(R + r cos t))/2
+rho = np.hypot(v["x"], v["y"])
+H = -(1/r + (rho - R)/r/rho)/2
+u, w = v["s"], v["t"]
+inner = (u > .05) & (u < .95) & (w > .05*w.max()) & (w < .95*w.max())
+assert inner.sum() > 2000
+e = abs(v["H"] - H)[inner]
+assert e.max() < .03, (e.max(), np.median(e))
+assert (v["lambda"] > 0).all()'
+}
+
+@test "--flip-sign negates H alone" {
+	grid2mesh --on "$tmp/uv.ply" --with=lambda,H "$tmp/lh" -o "$tmp/a.ply"
+	grid2mesh --on "$tmp/uv.ply" --with=lambda,H --flip-sign "$tmp/lh" -o "$tmp/b.ply"
+	py '
+a, b = ply("a.ply"), ply("b.ply")
+assert (a["H"] == -b["H"]).all() and (a["lambda"] == b["lambda"]).all() and (a["x"] == b["x"]).all()'
+}
+
+@test "without --on the fields are those of the nodes, bit for bit" {
+	grid2mesh --with=H,lambda "$tmp/lh" -o "$tmp/nodes.ply"
+	py '
+g, v = next(lhg.read("lh")), ply("nodes.ply")
+assert (v["H"] == g["H"].ravel()).all() and (v["lambda"] == g["lambda"].ravel()).all()
+assert list(v.dtype.names) == ["x", "y", "z", "H", "lambda"]'
+}
+
+@test "surfaces are written as VTP, GIFTI and FreeSurfer, and read again" {
+	local e
+	for e in vtp surf.gii pial; do
+		grid2mesh "$tmp/phi" -o "$tmp/y.$e"
+		below "$(error_of "$tmp/phi" "$tmp/y.$e" max_rel)" 1e-6
+		lhdiff --json "$tmp/phi" "$tmp/y.$e" | grep -q '"vertices_b": 4225' || lhdiff "$tmp/phi" "$tmp/y.$e" >/dev/null
+	done
+	grid2mesh --on "$tmp/uv.ply" --with=lambda,H "$tmp/lh" -o "$tmp/y.vtp"
+	below "$(error_of "$tmp/torus.off" "$tmp/y.vtp" max_rel)" 1e-12
+	grep -q 'DataArray type="Float64" Name="H" NumberOfComponents="1"' "$tmp/y.vtp"
+}
+
+@test "facts of the coordinates go into GIFTI and FreeSurfer files" {
+	sed 's/^comment lhgrid T/comment lhgrid fact space NIFTI_XFORM_SCANNER_ANAT\ncomment lhgrid fact c_ras 1 -2 3.5\n&/' "$tmp/uv.ply" >"$tmp/facts.ply"
+	mesh2rect -n 16 "$tmp/facts.ply" -o "$tmp/facts.lhg" 2>/dev/null
+	grid2mesh "$tmp/facts.lhg" -o "$tmp/facts.surf.gii"
+	grep -q 'NIFTI_XFORM_SCANNER_ANAT' "$tmp/facts.surf.gii"
+	mesh2rect -n 16 "$tmp/facts.surf.gii" 2>/dev/null | lhinfo | grep -q '  meta c_ras 1 -2 3.5'
+}
+
+@test "what has no place is refused" {
+	try 2 'OFF has no place for channels' /dev/null grid2mesh --with=H "$tmp/lh"
+	try 2 'need --with' /dev/null grid2mesh "$tmp/lh" -o "$tmp/no.curv"
+	try 2 'needs --with' /dev/null grid2mesh --flip-sign "$tmp/lh"
+	try 2 'holds one channel' /dev/null grid2mesh --with=H,lambda "$tmp/lh" -o "$tmp/no.curv"
+	try 1 'no channel colour' /dev/null grid2mesh --with=colour "$tmp/lh" -o "$tmp/no.ply"
+	try 1 'band.x' /dev/null grid2mesh --with=band.x "$tmp/lh" -o "$tmp/no.ply"
+	[ ! -e "$tmp/no.curv" ] && [ ! -e "$tmp/no.ply" ]
+}
+
+@test "nibabel reads the fields and surfaces" {
+	/usr/bin/python3 -c 'import nibabel' 2>/dev/null || skip "no nibabel"
+	grid2mesh --on "$tmp/uv.ply" --with=lambda,H "$tmp/lh" -o "$tmp/z.ply"
+	grid2mesh --on "$tmp/uv.ply" --with=lambda,H "$tmp/lh" -o "$tmp/z.shape.gii"
+	grid2mesh --on "$tmp/uv.ply" --with=H "$tmp/lh" -o "$tmp/z.curv"
+	grid2mesh --on "$tmp/uv.ply" "$tmp/lh" -o "$tmp/z.surf.gii"
+	grid2mesh --on "$tmp/uv.ply" "$tmp/lh" -o "$tmp/z.white"
+	py '
+import nibabel as nib
+v = ply("z.ply")
+s = nib.load("z.shape.gii")
+assert [d.meta.get("Name") for d in s.darrays] == ["lambda", "H"]
+for d in s.darrays:
+    assert (d.data == v[d.meta.get("Name")].astype("f4")).all()
+assert (nib.freesurfer.read_morph_data("z.curv") == v["H"].astype("f4")).all()
+p, t = (d.data for d in nib.load("z.surf.gii").darrays)
+q, f = nib.freesurfer.read_geometry("z.white")
+x = np.stack([v["x"], v["y"], v["z"]], -1).astype("f4")
+assert (p == x).all() and (q == x).all() and (t == f).all()'
+}
+
+@test "a cortex of GIFTI to lambda and H at its vertices, in one pipeline" {
+	cortex=$meshes/formats/fsaverage5_pial_left.gii
+	[ -e "$cortex" ] || skip "no meshes in $meshes"
+	/usr/bin/python3 -c 'import nibabel' 2>/dev/null || skip "no nibabel"
+	mesh2disk -q --open=auto "$cortex" -o "$tmp/open.ply"
+	mesh2rect -q --chart=auto --uv="$tmp/open-uv.ply" "$tmp/open.ply" | grid2lh |
+		grid2mesh --on "$tmp/open-uv.ply" --with=lambda,H -o "$tmp/lh.shape.gii"
+	py '
+import nibabel as nib
+s = nib.load("lh.shape.gii")
+H = s.darrays[1].data
+assert len(H) > 10242 and np.isfinite(H).all()
+assert .1 < np.median(abs(H)) < .4, np.median(abs(H))      # 1/mm: folds of some millimetres'
+}
