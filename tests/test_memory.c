@@ -177,6 +177,7 @@ solved(int way)
 		H[p] = 0;
 	}
 	if (way == 3) {
+		s.filtered = 1;
 		s.g = (Chart){ NU - 1, NV, 0.4, &CHART_SOCK };
 		sample_sockcap(s.g, 1, (double *[3]){ phi[0], phi[0] + (NU - 1)*NV, phi[0] + 2*(NU - 1)*NV }, lambda, H);
 	}

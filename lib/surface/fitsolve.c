@@ -49,7 +49,7 @@ fitsolve_init(FitSolve *k, Misfit *m)
 	k->d = malloc(k->n*sizeof(double));
 	k->y = malloc(k->n*sizeof(double));
 	if (!k->r || !k->z || !k->p || !k->q || !k->d || !k->y || plate_init(&k->plate, m->g, m->free)
-	    || (!m->free && patch_init(&k->patch, m))) {
+	    || ((!m->free || m->firm) && patch_init(&k->patch, m))) {
 		fitsolve_free(k);
 		return FIT_ENOMEM;
 	}

@@ -31,7 +31,7 @@ fit_level(const Surface *s, const Level *l, int finest, const MisfitPlace *place
 		return SURFACE_ENOMEM;
 	if (s->free)
 		misfit_set_free(&m);
-	if (misfit_hold(&m, place) || (s->filtered && !s->free && !place && !residue && misfit_set_firm(&m))) {
+	if (misfit_hold(&m, place) || (s->filtered && !place && !residue && misfit_set_firm(&m))) {
 		misfit_free(&m);
 		return SURFACE_ENOMEM;
 	}
