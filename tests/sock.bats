@@ -82,6 +82,17 @@ assert abs(H["mean"] + 1) < .01, H["mean"]'
 	try 1 'needs a sock' /dev/null mesh2rect --chart=sock --like="$tmp/flat" "$tmp/cap.off"
 }
 
+@test "each frame of a morph may start from the one before, or from key frames" {
+	lhinterp -n 5 "$tmp/lh" "$tmp/lh" -o "$tmp/still"
+	lh2grid "$tmp/still" -o "$tmp/alone"
+	for how in --follow --keyframes=2; do
+		lh2grid $how "$tmp/still" -o "$tmp/there"
+		lhdiff --no-hausdorff --no-self-intersections "$tmp/alone" "$tmp/there" | awk -F '\t' '
+			NR == 1 { for (i = 1; i <= NF; i++) if ($i == "max_rel") c = i; next }
+			{ bad += !($c < 1e-4) } END { exit NR != 6 || bad }'
+	done
+}
+
 @test "a moved, turned and scaled mesh has the same sock" {
 	mkmesh -n 3000 face -o "$tmp/face.off"          # no symmetry, so its best cones are those two
 	awk 'NR < 3 || NF != 3 { print; next } { printf "%.17g %.17g %.17g\n", 7 - 3*$2, 3*$1 + 5, 3*$3 - 2 }' \
