@@ -9,7 +9,7 @@
 
 static const char text[] =
 "usage: grid2mesh [-o FILE] [--on=MESH] [--with=NAMES] [GRID] >mesh.off\n"
-"Writes a gridded surface, channels x y z or place.x place.y place.z, as a triangle mesh:\n"
+"Writes a gridded surface, channels x y z (--with: or place.x place.y place.z), as a triangle mesh:\n"
 "a vertex for each node, row by row, and two triangles for each cell, split along its shorter\n"
 "diagonal.  Normals point along x_u cross x_v.  Every face has area: where a cell is flat it is split along the other diagonal,\n"
 "or its nodes are moved by a thousandth of a cell, for STL by what a float can tell apart.\n"

@@ -92,8 +92,8 @@ assert list(v.dtype.names) == ["x", "y", "z", "H", "lambda"]'
 	grid2mesh --on "$tmp/uv.ply" --with=lambda,H "$tmp/lh" -o "$tmp/z.ply"
 	grid2mesh --on "$tmp/uv.ply" --with=lambda,H "$tmp/lh" -o "$tmp/z.shape.gii"
 	grid2mesh --on "$tmp/uv.ply" --with=H "$tmp/lh" -o "$tmp/z.curv"
-	grid2mesh --on "$tmp/uv.ply" "$tmp/lh" -o "$tmp/z.surf.gii"
-	grid2mesh --on "$tmp/uv.ply" "$tmp/lh" -o "$tmp/z.white"
+	grid2mesh --on "$tmp/uv.ply" "$tmp/phi" -o "$tmp/z.surf.gii"
+	grid2mesh --on "$tmp/uv.ply" "$tmp/phi" -o "$tmp/z.white"
 	py '
 import nibabel as nib
 v = ply("z.ply")

@@ -168,7 +168,7 @@ for c in 'xyz': g[c][:] *= $s"
 		lh;g['start.y'][5] = 1e300;channel start.y has a sample of 1e\+300;lh2grid
 		lh;g['start.y'][5] = 1e30;channel start.y is 1e\+30 wide, where lambda allows;lh2grid
 		lh;g['band.z'][5] = 1e30;channel band.z is 1e\+30 wide, where lambda allows;lh2grid --method=frame
-		lh;for c in 'xyz': g['band.' + c][:] = 0;the frame method finds none from the band;lh2grid --no-start
+		lh;for c in 'xyz': g['band.' + c][:] = 0;none is found from the band;lh2grid --no-start
 		lh;for c in 'xyz': g['band.' + c][:] = 0;band has no tangent plane at node \(1,1\);lh2grid --method=frame
 		lh;g.channels['nu1'] = lhg.Channel(g['H']*0);no channel tau1;lh2grid
 		lh;g.channels['tau2'] = lhg.Channel(g['H']*0);no channel nu1;lh2grid

@@ -222,7 +222,7 @@ apart() {
 	lhinfo "$tmp/hard.ply" >/dev/null
 	mesh2rect -n 8 "$tmp/same.ply" >/dev/null
 	try 2 'the grid is read from stdin' "$tmp/phi" grid2mesh --on=-
-	try 2 'need a name that ends in .off .obj or .ply' /dev/null grid2mesh --on="$tmp/uv.obj" "$tmp/phi" -o "$tmp/x.stl"
+	try 2 'need a name that ends in .off .obj .ply .pial .white .vtp or .gii' /dev/null grid2mesh --on="$tmp/uv.obj" "$tmp/phi" -o "$tmp/x.stl"
 	[ ! -e "$tmp/x.stl" ]
 	try 1 'nosuch.obj: No such file'        "$tmp/phi" grid2mesh --on="$tmp/nosuch.obj"
 	try 1 'torus.off: only OBJ and PLY carry \(u,v\)' "$tmp/phi" grid2mesh --on="$tmp/torus.off"

@@ -211,12 +211,13 @@ moved_mesh(const CmdInput *in, const Lhg *g, const double *const phi[3], const O
 	channels_free(&s.channels);
 }
 
-/* The positions of the nodes: x y z, or, between grid2lh and lh2grid, the place. */
+/* The positions of the nodes: x y z; or for fields, which are those of grids between grid2lh and lh2grid, the
+ * place. */
 static void
-positions(const CmdInput *in, const Lhg *g, const double *phi[3])
+positions(const CmdInput *in, const Lhg *g, const Fields *fields, const double *phi[3])
 {
 	static const char *const name[3] = { "x", "y", "z" };
-	int c, placed = !lhg_find(g, "x") && lhg_find(g, PLACE[0]);
+	int c, placed = fields->names && !lhg_find(g, "x") && lhg_find(g, PLACE[0]);
 
 	for (c = 0; c < 3; c++)
 		phi[c] = cmd_need(in, g, placed ? PLACE[c] : name[c], LHG_GRID);
@@ -228,7 +229,7 @@ gridfile_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields 
 {
 	const double *phi[3];
 
-	positions(in, g, phi);
+	positions(in, g, fields, phi);
 	if (on->name)
 		moved_mesh(in, g, phi, on, fields, format, bytes, n);
 	else

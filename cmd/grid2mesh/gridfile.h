@@ -28,7 +28,7 @@ void gridfile_field_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, co
 	const FieldFormat *format, char **bytes, size_t *n);
 
 /* Makes the bytes of a mesh file of that format, with the fields, or dies.  Positions are x y z of the grid, or
- * place.x place.y place.z.  Without a mesh in `on`, the mesh has the
+ * with fields place.x place.y place.z.  Without a mesh in `on`, the mesh has the
  * nodes of the grid and two triangles for each cell.  Otherwise it has the faces of that mesh, with
  * the vertices at their (u,v) on the grid and moved by their offsets. */
 void gridfile_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields *fields,

@@ -35,7 +35,7 @@ opt_cones(const char *arg, const Disk *d, int cone[2])
 	if (!vertexlist(arg, 2, &g))
 		misuse("--cones=%s: need two vertex numbers or two points x,y,z;x,y,z", arg);
 	for (k = 0; k < 2; k++) {
-		cone[k] = g.n == 2 ? vertexlist_number(d, "cone", g.x[k]) : nearest(d, g.x + 3*k);
+		cone[k] = g.n == 2 ? vertexlist_number(d, "cone", "a face", g.x[k]) : nearest(d, g.x + 3*k);
 		for (i = 0; i < d->nb; i++)
 			if (d->loop[i] == cone[k])
 				die("cone %d is a vertex of the boundary", d->file[cone[k]]);
@@ -54,7 +54,8 @@ cones_meta(Lhg *out, const Disk *d, const Conformal *c)
 void
 cones_note(const char *mesh, const Conformal *c)
 {
-	detail("%s: chi^2 %.3g on this rectangle, %.3g on a sock", mesh, c->chi2[0], c->chi2[1]);
+	if (c->chi2[1] > 0)
+		detail("%s: chi^2 %.3g on this rectangle, %.3g on a sock", mesh, c->chi2[0], c->chi2[1]);
 	if (c->chi2[1] > 0 && c->chi2[0] > CONFORMAL_CLEARLY*c->chi2[1])
 		note("%s: limbs are small on the rectangle (chi^2 %.3g); --chart=sock holds them far better (%.3g)", mesh,
 		    c->chi2[0], c->chi2[1]);

@@ -27,7 +27,7 @@ set_corners(const VertexList *g, const Disk *d, int corner[4])
 	int v[4], at, k, e;
 
 	for (k = 0; k < 4; k++)
-		v[k] = g->n == 4 ? vertexlist_number(d, "corner", g->x[k]) : corners_nearest(d, g->x + 3*k);
+		v[k] = g->n == 4 ? vertexlist_number(d, "corner", "the boundary", g->x[k]) : corners_nearest(d, g->x + 3*k);
 	e = corners_given(d, v, corner, &at);
 	if (e == CORNERS_EINNER)
 		die("corner %d is not a vertex of the boundary", d->file[at]);

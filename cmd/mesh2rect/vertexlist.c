@@ -52,11 +52,11 @@ vertexlist(const char *s, int count, VertexList *g)
 }
 
 int
-vertexlist_number(const Disk *d, const char *what, double x)
+vertexlist_number(const Disk *d, const char *what, const char *of, double x)
 {
 	if (!(x >= 0 && x <= INT_MAX && floor(x) == x))
 		die("%s %g is not the number of a vertex", what, x);
 	if (x >= d->nfile || d->became[(int)x] < 0)
-		die("%s %.0f is not a vertex of a face", what, x);
+		die("%s %.0f is not a vertex of %s", what, x, of);
 	return d->became[(int)x];
 }

@@ -19,7 +19,8 @@ typedef struct VertexList {
  * ending after every third.  Returns 0 for anything else. */
 int vertexlist(const char *s, int count, VertexList *g);
 
-/* The vertex of d for x, a vertex number of the file; or dies.  `what` names it: corner, cone. */
-int vertexlist_number(const Disk *d, const char *what, double x);
+/* The vertex of d for x, a vertex number of the file; or dies.  `what` names it, as corner, and `of` says of what
+ * it should be a vertex: the boundary, a face. */
+int vertexlist_number(const Disk *d, const char *what, const char *of, double x);
 
 #endif
