@@ -36,10 +36,8 @@ static const char text[] =
 "                     number, as in frame-%03d.off, which counts from 1.  Each file is written\n"
 "                     completely or not at all\n"
 "      --no-history   accepted as by every command, without effect: meshes have no history\n"
-"  -q, --quiet        no notes on stderr\n"
-"  -v, --verbose      more details on stderr\n"
-"  -h, --help         print this text\n"
-"      --version      print the version\n";
+CMD_USAGE_COMMON
+"Example: grid2lh x.grid | lhfft --scale=6 | lh2grid | grid2mesh -o smooth.ply\n";
 
 static const struct option longopt[] = {
 	{ "on",     required_argument, NULL, 'O' },

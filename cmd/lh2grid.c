@@ -55,7 +55,8 @@ CMD_USAGE
 "The frame method solves the Codazzi equations, the natural frame equations (13) and those of\n"
 "x_u and x_v by least squares on cell centres, with three rings of the band given.  257 x 257\n"
 "nodes need 0.32 GB, 513 x 513 1.4 GB.\n"
-"-v prints steps, energy and cost in vector Poisson solves (six sine transforms each).\n";
+"-v prints steps, energy and cost in vector Poisson solves (six sine transforms each).\n"
+"Example: lhfft --scale=6 face.lhg | lh2grid | grid2mesh -o smooth.ply\n";
 
 static const struct option longopt[] = {
 	{ "method",    required_argument, NULL, 'm' },

@@ -28,10 +28,8 @@ static const char text[] =
 "  -o, --output=FILE  write FILE, which is complete or not there at all.  For a stream of several\n"
 "                     grids the name must have a number, as in frame-%03d.png, which counts from 1\n"
 "      --no-history   accepted as by every command, without effect: pictures have no history\n"
-"  -q, --quiet        no notes on stderr\n"
-"  -v, --verbose      more details on stderr: the ends of the colour bar and of the values\n"
-"  -h, --help         print this text\n"
-"      --version      print the version\n"
+CMD_USAGE_COMMON
+"-v prints the ends of the colour bar and of the values.\n"
 "Example: mesh2rect face.ply | grid2lh | lh2png -o face.png\n";
 
 static const struct option longopt[] = {

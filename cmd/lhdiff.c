@@ -34,10 +34,11 @@ static const char text[] =
 CMD_USAGE
 "A mesh need not be a disk: what is not, is noted.  Faces without area are left out, and\n"
 "self-intersections of what is not a manifold.  The exit code is 0 whatever the distance, 1 if\n"
-"a surface cannot be read or has no area.\n";
+"a surface cannot be read or has no area.\n"
+"Example: lhdiff face.ply smooth.ply\n";
 
 static const struct option longopt[] = {
-	{ "json",                  no_argument,       NULL, 'j' },
+	{ "json",                  no_argument,       NULL, 'J' },
 	{ "hausdorff-error",       required_argument, NULL, 'e' },
 	{ "no-hausdorff",          no_argument,       NULL, 'H' },
 	{ "no-self-intersections", no_argument,       NULL, 'S' },
@@ -89,6 +90,7 @@ compare_all(const Compare *c, Surfaces *as, Surfaces *bs, int json)
 			note("%d and %d vertices: no max and mean", a.m.nv, b.m.nv);
 		compare(c, &a, &b, value);
 		report_add(&r, c, value);
+		cmd_progress_share(r.count, bs->in.s.frames);
 	} while (next_side(c, bs, &b) && (one || next_side(c, as, &a)));
 	report_write(&r);
 	mesh_free(&a.m);
@@ -105,7 +107,7 @@ main(int argc, char *argv[])
 	cmd_begin("lhdiff", formats_usage(text, usage, sizeof usage));
 	while ((opt = cmd_getopt(argc, argv, "", longopt)) != -1)
 		switch (opt) {
-		case 'j': json = 1; break;
+		case 'J': json = 1; break;
 		case 'e': c.error = opt_double(optarg, 1e-7, 1, "hausdorff-error"); break;
 		case 'H': c.far = 0; break;
 		case 'S': c.cross = 0; break;

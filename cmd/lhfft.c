@@ -47,7 +47,8 @@ CMD_USAGE
 "function with the border values of log lambda is not filtered: it holds the corners, where\n"
 "lambda may go to 0.  (lambda H)^2, integrated over the rectangle, is the bending energy.\n"
 "The metadatum waves says what is kept, for grid2mesh --detail=smooth; scale is L.\n"
-"-v prints how many coefficients of each field were kept.\n";
+"-v prints how many coefficients of each field were kept.\n"
+"Example: lhfft --scale=6 face.lhg | lh2grid | grid2mesh -o smooth.ply\n";
 
 static const struct option longopt[] = {
 	{ "scale",         required_argument, NULL, SCALE },

@@ -10,10 +10,11 @@ static const char text[] =
 "chart, frame, channels (unit, support, number of samples, minimum, maximum, mean), metadata\n"
 "and history.  Streams are read to their ends, and every byte is checked.\n"
 "      --json         one JSON object for each grid, each on one line\n"
-CMD_USAGE;
+CMD_USAGE
+"Example: lhinfo --stats face.lhg\n";
 
 static const struct option longopt[] = {
-	{ "json", no_argument, NULL, 'j' },
+	{ "json", no_argument, NULL, 'J' },
 	CMD_LONGOPT
 };
 
@@ -38,7 +39,7 @@ main(int argc, char *argv[])
 
 	cmd_begin("lhinfo", text);
 	while ((opt = cmd_getopt(argc, argv, "", longopt)) != -1)
-		if (opt == 'j')
+		if (opt == 'J')
 			json = 1;
 	cmd_operands(argc, argv, 0, argc);
 

@@ -36,7 +36,8 @@ CMD_USAGE
 "ratio t : 1-t, and its place on the rectangle divides their two places in the same ratio.\n"
 "lambda and H are interpolated at the same place of the rectangle.  lh2grid uses the boundary\n"
 "curve only, which is exact; the inner rings of the band and the start are moved with it (Coons\n"
-"patch).\n";
+"patch).\n"
+"Example: lhinterp --scale --align -n 20 a.lhg b.lhg | lh2grid -o morph.lhg\n";
 
 static const struct option longopt[] = {
 	{ "at",        required_argument, NULL, 't' },

@@ -42,7 +42,8 @@ static const char text[] =
 "                     apart; from the vertex nearest to X,Y,Z to the one farthest from it [none]\n"
 CMD_USAGE
 "A map needs a long boundary: a cut from end to end serves, a small hole does not.  The vertices\n"
-"of a cut lie at one place: --weld=none keeps such a mesh as it is.\n";
+"of a cut lie at one place: --weld=none keeps such a mesh as it is.\n"
+"Example: mesh2disk scan.ply | mesh2rect -o scan.grid\n";
 
 enum { WELD = 256, COMPONENTS, HOLES, MAX_HOLE, FILL, HANDLES, OPEN, CHECK, JSON, POINTS };
 

@@ -66,7 +66,8 @@ static const char text[] =
 CMD_USAGE
 "With --split of 1 or more the error of H on smooth surfaces is of second order in the mesh\n"
 "size; a mesh of more than a quarter of --max-vertices is not split, and the order is one.\n"
-"With --surface=facets H is concentrated on the edges, and does not converge.\n";
+"With --surface=facets H is concentrated on the edges, and does not converge.\n"
+"Example: mesh2rect --uv=face-uv.ply face.ply | grid2lh -o face.lhg\n";
 
 enum { FLIP = 256, CHART, CONES, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, LIKE, REVERSED, MAX_CELLS,
 	UV = CMD_UNRECORDED, MAX_LOSS };

@@ -18,6 +18,7 @@ static const char head[] =
 "      --seed=S       random seed of the inner vertices, 0..2147483647 [1]\n"
 "      --list         print the names of the kinds\n"
 CMD_USAGE
+"Example: mkmesh -n 20000 --seed=2 cap -o cap.ply\n"
 "Below, T is the modulus of the domain with its four corners: the height of the rectangle of\n"
 "width 1 that it maps to conformally.  lambda = |phi_x| = |phi_y| where phi is conformal; H is\n"
 "the mean curvature, -1 on the unit sphere.  Angles are in degrees.  Each kind is followed by\n"

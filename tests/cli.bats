@@ -24,6 +24,51 @@ setup_file() {
 	done
 }
 
+@test "--help: no line of more than 80 columns, and an example whose commands and options exist" {
+	local c words word option
+	for c in $commands; do
+		$c --help >"$tmp/help"
+		run ! grep -nE '^.{81}' "$tmp/help"
+		[ "$(grep -c '^Example: ' "$tmp/help")" = 1 ]
+		sed -n 's/^Example: //p' "$tmp/help" | tr '|' '\n' >"$tmp/example"
+		grep -Eq "^ *$c " "$tmp/example"
+		while read -r word words; do
+			[[ " $commands " == *" $word "* ]]
+			for option in $words; do
+				[[ $option != --* ]] || $word --help | grep -q -- "${option%%=*}"
+			done
+		done <"$tmp/example"
+	done
+}
+
+@test "-j: at most so many threads; the same bytes, and no trace in the history" {
+	grid2lh -j 1 "$tmp/phi" | cmp - "$tmp/lh"
+	grid2lh --threads=3 "$tmp/phi" | cmp - "$tmp/lh"
+	[ "$(OMP_NUM_THREADS=1 OMP_DISPLAY_ENV=false sh -c 'grid2lh -j 2 "$1" | lhinfo' - "$tmp/phi" | grep -c -- '-j\|threads')" = 0 ]
+	for c in $commands; do
+		try 2 'threads=0: need a whole number in \[1,' /dev/null $c -j 0
+		try 2 'option --threads needs a value' /dev/null $c -j
+		try 2 'option --threads needs a value' /dev/null $c --threads
+	done
+}
+
+@test "--progress: on stderr alone; json is one object on each line; never and -q are silent" {
+	lh2grid --progress=always "$tmp/three.lh" 2>"$tmp/always" | cmp - "$tmp/three.phi"
+	grep -q '^lh2grid: frame 1 of 3, 17 x 17 nodes$' "$tmp/always"
+	run ! grep -q $'[\r\e]' "$tmp/always"
+	lh2grid --progress=json "$tmp/three.lh" 2>"$tmp/json" | cmp - "$tmp/three.phi"
+	[ -s "$tmp/json" ]
+	python3 -c 'import json, sys
+for line in open(sys.argv[1]):
+	o = json.loads(line)
+	assert o["program"] == "lh2grid" and o["doing"] and o["seconds"] >= 0 and "left" in o' "$tmp/json"
+	for o in --progress=never --progress=auto '-q --progress=always'; do
+		lh2grid $o "$tmp/three.lh" 2>"$tmp/err" | cmp - "$tmp/three.phi"
+		[ ! -s "$tmp/err" ]
+	done
+	try 2 'progress=maybe: need auto, always, never or json' /dev/null lh2grid --progress=maybe
+}
+
 @test "unknown options, missing values and bad numbers exit 2" {
 	for c in $commands; do
 		try 2 'unknown or ambiguous option --frobnicate' /dev/null $c --frobnicate
@@ -100,14 +145,14 @@ setup_file() {
 		try 1 'stdin: empty input'               /dev/null $c
 	done
 	for c in grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo lh2png; do
-		try 1 'stdin: input is not an lhg stream .mesh2rect makes one of a mesh.$' "$tmp/cap.off" $c
+		try 1 'stdin: input is not an lhg stream: of a mesh, run mesh2rect first$' "$tmp/cap.off" $c
 	done
 	try 1 'stdin: .*lhg'                             "$tmp/phi" mesh2rect
-	try 1 'stdin: no channel x .lh2grid makes it.$'  "$tmp/lh" grid2lh
-	try 1 'stdin: no channel x .lh2grid makes it.$'  "$tmp/lh" grid2mesh
-	try 1 'stdin: no channel lambda .grid2lh makes it.$' "$tmp/phi" lhfft -K 1
-	try 1 'stdin: no channel lambda .grid2lh makes it.$' "$tmp/phi" lh2grid
-	try 1 'no channel lambda .grid2lh makes it.$'                        /dev/null lhinterp -t 0 "$tmp/phi" "$tmp/phi"
+	try 1 'stdin: no channel x: run lh2grid first$'  "$tmp/lh" grid2lh
+	try 1 'stdin: no channel x: run lh2grid first$'  "$tmp/lh" grid2mesh
+	try 1 'stdin: no channel lambda: run grid2lh first$' "$tmp/phi" lhfft -K 1
+	try 1 'stdin: no channel lambda: run grid2lh first$' "$tmp/phi" lh2grid
+	try 1 'no channel lambda: run grid2lh first$'                        /dev/null lhinterp -t 0 "$tmp/phi" "$tmp/phi"
 	try 1 'has 17 x 17 nodes, .* has 17 x 21'        /dev/null lhinterp -t 0 "$tmp/lh" "$tmp/other.lh"
 	try 1 'has a channel start.x, .* has none'       /dev/null lhinterp -t 0 "$tmp/lh" "$tmp/nostart.lh"
 	try 1 'has a channel start.x, .* has none'       /dev/null lhinterp -t 0 "$tmp/nostart.lh" "$tmp/lh"

@@ -15,7 +15,7 @@ setup_file() {
 }
 
 # The options of COMMAND that its source, its --help and its page have; one per line.
-in_source() { grep -oE '^	\{ "[a-zA-Z-]+",' "cmd/$1.c" | tr -d '\t{", '; printf '%s\n' output no-history quiet verbose help version; }
+in_source() { grep -oE '^	\{ "[a-zA-Z-]+",' "cmd/$1.c" | tr -d '\t{", '; printf '%s\n' output no-history threads progress quiet verbose help version; }
 in_help()   { "$1" --help | grep -E '^ {2,6}-' | grep -oE '(^ *|, )(-[a-zA-Z], )?--[a-zA-Z][a-zA-Z-]*' | grep -oE '[a-zA-Z-]+$' | sed 's/^--//'; }
 in_page()   { grep '^\.It Fl' "$tmp/root/opt/lhgrid/share/man/man1/$1.1" | grep -oE 'Fl \\&-[a-zA-Z-]+' | sed 's/^Fl ..-//'; }
 

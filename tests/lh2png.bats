@@ -173,7 +173,7 @@ pixels() {
 @test "what cannot be drawn is one line" {
 	try 1 'channel H has values down to -2: no --log'       "$tmp/lh"   lh2png --log -c H
 	try 0 'channel H has values down to -2: drawn without'  "$tmp/lh"   lh2png --log -c all
-	try 1 'no channel lambda .grid2lh makes it'             "$tmp/ramp" lh2png -c lambda
+	try 1 'no channel lambda: run grid2lh first'             "$tmp/ramp" lh2png -c lambda
 	try 1 'no channel nosuch'                               "$tmp/ramp" lh2png -c c,nosuch
 	try 2 "'' is not the name of a channel"                 "$tmp/ramp" lh2png -c c,,c
 	try 1 'would go from 9 down to'                         "$tmp/lh"   lh2png -c lambda --range=9,0%

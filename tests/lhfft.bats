@@ -114,7 +114,7 @@ for c in "xyz":
     del g.channels["place." + c]
 lhg.write(sys.stdout.buffer, [g])' >"$tmp/with"
 	compare "$tmp/with" "$tmp/without" 1
-	try 1 'no channel place.x .grid2lh makes it.' "$tmp/bare" lhfft --relief=1%
+	try 1 'no channel place.x: run grid2lh first' "$tmp/bare" lhfft --relief=1%
 }
 
 @test "--paper is four options" {

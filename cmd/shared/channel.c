@@ -17,14 +17,19 @@ static const struct {
 	{ "tau1", "grid2lh --residual" }, { "tau2", "grid2lh --residual" }
 };
 
+/* A channel is missing: names the stage that was left out.  Positions are made of lambda and H, if
+ * these are there, or else of a mesh. */
 static _Noreturn void
-missing(const CmdInput *in, const char *name)
+missing(const CmdInput *in, const Lhg *g, const char *name)
 {
+	const char *command;
 	size_t i;
 
 	for (i = 0; i < sizeof MAKER/sizeof *MAKER; i++)
-		if (strcmp(name, MAKER[i].channel) == 0)
-			die("%s: no channel %s (%s makes it)", in->name, name, MAKER[i].command);
+		if (strcmp(name, MAKER[i].channel) == 0) {
+			command = i < 3 && !lhg_find(g, "lambda") ? "mesh2rect" : MAKER[i].command;
+			die("%s: no channel %s: run %s first", in->name, name, command);
+		}
 	die("%s: no channel %s", in->name, name);
 }
 
@@ -35,7 +40,7 @@ cmd_need(const CmdInput *in, const Lhg *g, const char *name, int support)
 	LhgChannel *c = lhg_find(g, name);
 
 	if (!c)
-		missing(in, name);
+		missing(in, g, name);
 	if (c->support != support)
 		die("%s: channel %s has support %s, need %s", in->name, name, word[c->support], word[support]);
 	return c->f;

@@ -52,6 +52,8 @@ longname(const struct option *o, int c)
 static _Noreturn void
 wrong_option(char *argv[], const struct option *o, int c)
 {
+	if (c == ':' && optopt == 'j')
+		misuse("option --threads needs a value");
 	if (c == ':' && optopt)
 		misuse("option --%s needs a value", longname(o, optopt));
 	if (c == ':')
@@ -77,13 +79,16 @@ cmd_getopt(int argc, char *argv[], const char *shortopt, const struct option *lo
 	int c;
 
 	opterr = 0;
-	snprintf(all, sizeof all, ":o:qvh%s", shortopt);
+	snprintf(all, sizeof all, ":o:j:qvh%s", shortopt);
 	while ((c = getopt_long(argc, argv, all, longopt, NULL)) != -1)
 		switch (c) {
 		case 'o': cmd.output = strcmp(optarg, "-") == 0 ? NULL : optarg; break;
 		case 'q': message_verbosity(-1); break;
 		case 'v': message_verbosity(1); break;
-		case 'h': fputs(cmd.usage, stdout); exit_answered();
+		case 'j':
+		case CMD_THREADS: threads_set(opt_long(optarg, 1, 65536, "threads")); break;
+		case CMD_PROGRESS: progress_way(opt_word(optarg, PROGRESS_WAYS, "progress")); break;
+		case 'h': usage_print(stdout, cmd.usage); exit_answered();
 		case 'V': printf("%s (lhgrid) %s\n", cmd.name, CMD_VERSION); exit_answered();
 		case CMD_NO_HISTORY: history_none(); break;
 		case ':':

@@ -25,26 +25,29 @@ void note(const char *fmt, ...);
 void detail(const char *fmt, ...);
 
 /* Options.  cmd_getopt is like getopt_long, but returns only the command's own options.  It handles
- * mistakes and the options that all commands have (-o -q -v -h --version --no-history) itself.  The
+ * mistakes and the options that all commands have (-o -j -q -v -h --progress --version --no-history) itself.  The
  * array of long options ends with CMD_LONGOPT.  cmd_getopt also records the command's own options
  * for the history, in their long form, so that a short and a long option give the same bytes. */
 #define CMD_LONGOPT \
 	{ "output",  required_argument, NULL, 'o' }, \
 	{ "no-history", no_argument,    NULL, CMD_NO_HISTORY }, \
+	{ "threads", required_argument, NULL, CMD_THREADS }, \
+	{ "progress", required_argument, NULL, CMD_PROGRESS }, \
 	{ "quiet",   no_argument,       NULL, 'q' }, \
 	{ "verbose", no_argument,       NULL, 'v' }, \
 	{ "help",    no_argument,       NULL, 'h' }, \
 	{ "version", no_argument,       NULL, 'V' }, \
 	{ NULL, 0, NULL, 0 }
+/* In a usage text: what --help says of these options.  {common}: all but -o and --no-history. */
+#define CMD_USAGE_COMMON "{common}\n"
 #define CMD_USAGE \
 "  -o, --output=FILE  write FILE instead of stdout, complete or not at all\n" \
 "      --no-history   write no history: neither this step nor the earlier ones\n" \
-"  -q, --quiet        no notes on stderr\n" \
-"  -v, --verbose      more details on stderr\n" \
-"  -h, --help         print this text\n" \
-"      --version      print the version\n"
+CMD_USAGE_COMMON
 enum {
-	CMD_NO_HISTORY = 999,
+	CMD_THREADS = 997,
+	CMD_PROGRESS,
+	CMD_NO_HISTORY,
 	CMD_UNRECORDED          /* options of this value and above change no byte of the result and are
 	                         * not recorded in the history */
 };
@@ -129,9 +132,13 @@ void cmd_text_close(CmdText *t);
 /* malloc, or die with the size. */
 void *cmd_alloc(size_t n, size_t size);
 
-/* Prints a line on stderr that replaces the previous one; only on a terminal, without -q, and after
- * the command has run for a second.  cmd_progress_end erases it. */
+/* Says on stderr what is being done, as --progress asks: auto, a line that replaces the previous one,
+ * on a terminal, without -q, and after the command has run for a second; always, the same line
+ * elsewhere, once a second; json, once a second an object.  cmd_progress_share says that done of
+ * total equal parts of the work are done: after five seconds lines then end in the time left, if
+ * the rest is as fast.  cmd_write does so for each frame of a set.  cmd_progress_end erases the line. */
 void cmd_progress(const char *fmt, ...);
+void cmd_progress_share(long done, long total);
 void cmd_progress_end(void);
 
 #endif

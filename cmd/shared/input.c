@@ -108,7 +108,7 @@ cmd_read(CmdInput *in, Lhg *g)
 	int got = lhg_read(&in->s, g);
 
 	if (got == LHG_EFOREIGN)
-		die("%s: %s (mesh2rect makes one of a mesh)", in->name, in->s.err);
+		die("%s: %s: of a mesh, run mesh2rect first", in->name, in->s.err);
 	if (got < 0)
 		die("%s: %s", in->name, in->s.err);
 	if (!got)

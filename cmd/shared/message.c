@@ -1,10 +1,8 @@
-/* message.c - errors, notes, details and progress on stderr. */
+/* message.c - errors, notes and details on stderr. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-#include <unistd.h>
 
 #include "cmd.h"
 #include "private.h"
@@ -12,15 +10,13 @@
 static struct {
 	const char *name;
 	int         verbose;            /* -1: quiet, 0: notes, 1: details too */
-	struct timespec began;
-	int         progress;           /* a progress line is on the terminal */
 } message;
 
 void
 message_begin(const char *name)
 {
 	message.name = name;
-	clock_gettime(CLOCK_MONOTONIC, &message.began);
+	progress_begin(name);
 }
 
 void
@@ -29,28 +25,32 @@ message_verbosity(int verbose)
 	message.verbose = verbose;
 }
 
-/* Prints "name: text".  Control characters and bytes that are not UTF-8, which may come from a file
- * or an argument, must not reach the terminal. */
-static void
-print_safely(const char *fmt, va_list ap)
+int
+message_quiet(void)
 {
-	char text[1024], *s;
+	return message.verbose < 0;
+}
+
+void
+message_make_safe(char *s)
+{
 	size_t len;
 
-	vsnprintf(text, sizeof text, fmt, ap);
-	for (s = text; *s; s += len ? len : 1)
+	for (; *s; s += len ? len : 1)
 		if (!(len = lhg_utf8(s, strlen(s))))
 			*s = '?';
-	fprintf(stderr, "%s: %s", message.name, text);
 }
 
 /* Prints "name: text tail" on one line. */
 static void
 print_line(const char *fmt, va_list ap, const char *tail)
 {
+	char text[1024];
+
 	cmd_progress_end();
-	print_safely(fmt, ap);
-	fprintf(stderr, "%s\n", tail);
+	vsnprintf(text, sizeof text, fmt, ap);
+	message_make_safe(text);
+	fprintf(stderr, "%s: %s%s\n", message.name, text, tail);
 }
 
 void
@@ -99,29 +99,4 @@ detail(const char *fmt, ...)
 	if (message.verbose > 0)
 		print_line(fmt, ap, "");
 	va_end(ap);
-}
-
-void
-cmd_progress(const char *fmt, ...)
-{
-	struct timespec now;
-	va_list ap;
-
-	clock_gettime(CLOCK_MONOTONIC, &now);
-	if (message.verbose < 0 || now.tv_sec - message.began.tv_sec < 1 || !isatty(STDERR_FILENO))
-		return;
-	putc('\r', stderr);
-	va_start(ap, fmt);
-	print_safely(fmt, ap);
-	va_end(ap);
-	fputs("\033[K", stderr);
-	message.progress = 1;
-}
-
-void
-cmd_progress_end(void)
-{
-	if (message.progress)
-		fputs("\r\033[K", stderr);
-	message.progress = 0;
 }

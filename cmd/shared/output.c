@@ -215,6 +215,7 @@ cmd_write(Lhg *g)
 	g->hist = past;
 	if (e)
 		die("%s: %s", output.out.path, output.grids.err);
+	cmd_progress_share(g->frame, g->frames);
 }
 
 void

@@ -8,11 +8,30 @@
 
 /* ---- message.c ---- */
 
-/* Sets the name that begins every message, and starts the clock of cmd_progress. */
+/* Sets the name that begins every message. */
 void message_begin(const char *name);
 
 /* -1 silences notes and progress, 1 shows details. */
 void message_verbosity(int verbose);
+int  message_quiet(void);
+
+/* Replaces control characters, and bytes that are not UTF-8, by '?'. */
+void message_make_safe(char *s);
+
+/* ---- progress.c ---- */
+
+/* Sets the name that begins every line, and starts the clock. */
+void progress_begin(const char *name);
+
+/* The value of --progress, as an index of PROGRESS_WAYS. */
+#define PROGRESS_WAYS "auto\0always\0never\0json\0"
+void progress_way(int way);
+
+/* ---- usage.c ---- */
+
+/* Prints a usage text to f in lines of at most 80 columns, with the common options in the place of
+ * CMD_USAGE_COMMON. */
+void usage_print(FILE *f, const char *text);
 
 /* ---- history.c: the step of this command ---- */
 
@@ -54,5 +73,8 @@ int descriptor_fill(void);
 /* Limits OpenMP to four threads for each processor, even if OMP_NUM_THREADS asks for more: every
  * thread takes memory for its stack. */
 void threads_limit(void);
+
+/* Limits OpenMP to n threads, for -j. */
+void threads_set(long n);
 
 #endif

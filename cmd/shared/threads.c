@@ -95,3 +95,10 @@ threads_limit(void)
 	if (omp_get_max_threads() > most)
 		omp_set_num_threads(most);
 }
+
+void
+threads_set(long n)
+{
+	omp_set_num_threads((int)n);
+	threads_limit();
+}
