@@ -131,6 +131,26 @@ test_round_factor_has_the_area_of_a_hemisphere(void **state)
 	}
 }
 
+/* chart_round makes use of symmetries. */
+static void
+round_factor_of_the_chart(void **state)
+{
+	static double lambda0[294*9];
+	static const int columns[] = { 2, 4, 6, 8, 10, 294 };
+	static const double height[] = { 0.03, 0.2, 0.7, 1.6 };
+	int k, p;
+
+	(void)state;
+	for (k = 0; k < 24; k++) {
+		Chart g = { columns[k/4], 9, height[k%4], &CHART_SOCK };
+		SockPlane plane = sockplane(g.T);
+
+		chart_round(g, lambda0);
+		for (p = 0; p < g.nu*g.nv; p++)
+			assert_true(fabs(lambda0[p]/sockplane_round(&plane, chart_u(g, p%g.nu), chart_v(g, p/g.nu)) - 1) < 1e-12);
+	}
+}
+
 int
 main(void)
 {
@@ -141,6 +161,7 @@ main(void)
 		cmocka_unit_test(test_height_of_the_distance_of_the_cones),
 		cmocka_unit_test(test_stretch_is_the_derivative),
 		cmocka_unit_test(test_round_factor_has_the_area_of_a_hemisphere),
+		cmocka_unit_test(round_factor_of_the_chart),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

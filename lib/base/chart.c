@@ -9,7 +9,11 @@
 static int
 wrap(int i, int n)
 {
-	return (i%n + n)%n;
+	while (i < 0)
+		i += n;
+	while (i >= n)
+		i -= n;
+	return i;
 }
 
 static int
@@ -72,15 +76,19 @@ sock_cell(Chart g, int n, int corner[4])
 	corner[3] = i;
 }
 
-/* A hemisphere. */
+/* A hemisphere.  It is the same at u, u + 1/2 and 1/2 - u: half a turn about its axis, and a reflection. */
 static void
 sock_round(Chart g, double *lambda0)
 {
 	SockPlane plane = sockplane(g.T);
-	int p;
+	int i, j, half = g.nu/2;
 
-	for (p = 0; p < g.nu*g.nv; p++)
-		lambda0[p] = sockplane_round(&plane, chart_u(g, p%g.nu), chart_v(g, p/g.nu));
+	for (j = 0; j < g.nv; j++, lambda0 += g.nu) {
+		for (i = 0; 2*i < half; i++)
+			lambda0[i] = lambda0[half-1-i] = sockplane_round(&plane, chart_u(g, i), chart_v(g, j));
+		for (i = half; i < g.nu; i++)
+			lambda0[i] = lambda0[i-half];
+	}
 }
 
 const ChartKind CHART_RECTANGLE = { "rectangle", .cells = rectangle_cells, .cell = rectangle_cell };

@@ -8,7 +8,7 @@
 #include "../intrinsic/overlay.h"
 #include "../mesh/boundarysplit.h"
 #include "../mesh/traversal.h"
-#include "../poisson/transform.h"
+#include "../poisson/plate.h"
 #include "conformal.h"
 #include "intrinsicmap.h"
 #include "vertexkey.h"
@@ -29,7 +29,7 @@ typedef struct Sampling {
 } Sampling;
 
 /* The numbers of nodes along u and v: those of g, or on a sock as many together, in cells about square, and
- * such that the transforms along both axes (lib/poisson/plate.h) are fast. */
+ * such that transforms are fast. */
 static void
 shape(const Sampling *m, Chart *g)
 {
@@ -37,8 +37,9 @@ shape(const Sampling *m, Chart *g)
 
 	if (!g->kind->folded || !(m->options->shape || m->options->keep > 0))
 		return;
-	g->nu = transform_fast_size(2*(int)fmax(floor(sqrt(nodes/m->map.chart_T)/2 + 0.5), 4), 2);
-	g->nv = (transform_fast_size(2*(int)fmax(floor(g->nu*m->map.chart_T + 1), 6) - 1, 2) + 1)/2;
+	g->nu = 2*(int)fmax(floor(sqrt(nodes/m->map.chart_T)/2 + 0.5), 4);
+	g->nv = (int)fmax(floor(g->nu*m->map.chart_T + 1), 6);
+	*g = plate_fast(*g);
 }
 
 /* The (u,v) of the vertices of d. */

@@ -197,6 +197,14 @@ plate_init(Plate *p, Chart g, int free)
 	return PLATE_ENOMEM;
 }
 
+Chart
+plate_fast(Chart g)
+{
+	if (!g.kind->folded)
+		return g;
+	return (Chart){ transform_fast_size((g.nu + 1)/2*2, 2), (transform_fast_size(2*g.nv - 1, 2) + 1)/2, g.T, g.kind };
+}
+
 void
 plate_solve(const Plate *p, double a, double b, double c, double *z)
 {

@@ -35,6 +35,10 @@ typedef struct Plate {
 int  plate_init(Plate *p, Chart g, int free);
 void plate_free(Plate *p);
 
+/* On a sock: the nearest numbers of nodes for which plate_solve is fast (transform.h), an even number of
+ * columns.  On a rectangle: g. */
+Chart plate_fast(Chart g);
+
 /* z = P^-1 z in place, for three fields z[3][nv][nu].  On a held border z must be 0, and remains 0.
  * The cost is six sine (cosine) transforms: one vector Poisson solve, the unit in which the cost of
  * a reconstruction is counted.  The result has the same bits for any number of threads. */

@@ -28,11 +28,18 @@ unknown_rows(const Plate *p)
 	return p->free ? p->g.nv : p->g.nv - 1;
 }
 
-/* The workspace of a thread: two rows or a column, then the workspace of a transform. */
+/* Where, in the workspace of a thread, the Fourier coefficients of a row begin: after the row. */
+static size_t
+spectrum_offset(const Plate *p)
+{
+	return ((size_t)p->g.nu + 7)/8*8;
+}
+
+/* The workspace of a thread: a row and its coefficients, or a column; then the workspace of a transform. */
 static size_t
 front_room(const Plate *p)
 {
-	size_t row = 2*(size_t)p->g.nu, column = 2*(size_t)p->g.nv;
+	size_t row = spectrum_offset(p) + p->g.nu + 2, column = 2*(size_t)p->g.nv;
 
 	return ((row > column ? row : column) + 7)/8*8;
 }
@@ -47,51 +54,70 @@ int
 platefold_init(Plate *p)
 {
 	int nu = p->g.nu, e = transform_init(&p->transform[0], nu) || transform_init(&p->transform[1], steps(p));
+	fftw_complex *spectrum;
 
 	if (!e)
 		p->work = fftw_alloc_real(omp_get_max_threads()*room(p));
 	if (!p->work)
 		return PLATE_ENOMEM;
+	spectrum = (fftw_complex *)(p->work + spectrum_offset(p));
 	p->eigenvalue[0] = plate_eigenvalues(nu/2 + 1, 0, nu, chart_h(p->g));
 	p->eigenvalue[1] = plate_eigenvalues(2*unknown_rows(p), p->free ? 0 : 1, 2.0*steps(p), chart_k(p->g));
-	p->plan[0] = fftw_plan_r2r_1d(nu, p->work, p->work + nu, FFTW_R2HC, FFTW_ESTIMATE | FFTW_UNALIGNED);
-	p->plan[1] = fftw_plan_r2r_1d(nu, p->work, p->work + nu, FFTW_HC2R, FFTW_ESTIMATE | FFTW_UNALIGNED);
+	p->plan[0] = fftw_plan_dft_r2c_1d(nu, p->work, spectrum, FFTW_ESTIMATE);
+	p->plan[1] = fftw_plan_dft_c2r_1d(nu, spectrum, p->work, FFTW_ESTIMATE);
 	return p->plan[0] && p->plan[1] ? 0 : PLATE_ENOMEM;
 }
 
-/* Multiplies the half-complex coefficients x by exp(-i pi m/nu), or its inverse.  The last one, m = nu/2,
- * becomes purely imaginary, and is kept as its imaginary part. */
+/* Replaces a row by its Fourier coefficients times exp(-i pi m/nu): the real part of number m at m, the
+ * imaginary part at nu-m.  Number nu/2 becomes purely imaginary. */
 static void
-turn(const Transform *t, int back, double *x)
+forward(const Plate *p, double *row, double *work)
 {
-	double re, im, c, s;
-	int m, nu = t->N;
+	const Transform *t = &p->transform[0];
+	fftw_complex *x = (fftw_complex *)(work + spectrum_offset(p));
+	int nu = p->g.nu, m;
+
+	memcpy(work, row, nu*sizeof *row);
+	fftw_execute_dft_r2c(p->plan[0], work, x);
+	row[0] = x[0][0];
+	for (m = 1; 2*m < nu; m++) {
+		row[m] = t->cosines[m]*x[m][0] + t->sines[m]*x[m][1];
+		row[nu-m] = t->cosines[m]*x[m][1] - t->sines[m]*x[m][0];
+	}
+	row[nu/2] = -x[nu/2][0];
+}
+
+static void
+backward(const Plate *p, double *row, double *work)
+{
+	const Transform *t = &p->transform[0];
+	fftw_complex *x = (fftw_complex *)(work + spectrum_offset(p));
+	int nu = p->g.nu, m;
 
 	for (m = 1; 2*m < nu; m++) {
-		c = t->cosines[m], s = back ? t->sines[m] : -t->sines[m];
-		re = x[m], im = x[nu-m];
-		x[m] = c*re - s*im;
-		x[nu-m] = s*re + c*im;
+		x[m][0] = t->cosines[m]*row[m] - t->sines[m]*row[nu-m];
+		x[m][1] = t->cosines[m]*row[nu-m] + t->sines[m]*row[m];
 	}
-	x[nu/2] = -x[nu/2];
+	x[0][0] = row[0];
+	x[nu/2][0] = -row[nu/2];
+	x[0][1] = x[nu/2][1] = 0;
+	fftw_execute_dft_c2r(p->plan[1], x, work);
+	memcpy(row, work, nu*sizeof *row);
 }
 
 static void
 transform_rows(const Plate *p, int back, double *z, double *work)
 {
-	int nu = p->g.nu, rows = unknown_rows(p), n = 3*rows, q;
+	int rows = unknown_rows(p), n = 3*rows, q;
 
 #pragma omp for schedule(static)
 	for (q = 0; q < n; q++) {
-		double *row = z + ((size_t)(q/rows)*p->g.nv + q%rows)*nu;
+		double *row = z + ((size_t)(q/rows)*p->g.nv + q%rows)*p->g.nu;
 
-		memcpy(work, row, nu*sizeof *row);
 		if (back)
-			turn(&p->transform[0], 1, work);
-		fftw_execute_r2r(p->plan[back], work, work + nu);
-		if (!back)
-			turn(&p->transform[0], 0, work + nu);
-		memcpy(row, work + nu, nu*sizeof *row);
+			backward(p, row, work);
+		else
+			forward(p, row, work);
 	}
 }
 

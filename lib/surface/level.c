@@ -4,6 +4,7 @@
 
 #include "../grid/resample.h"
 #include "../grid/stencil.h"
+#include "../poisson/plate.h"
 #include "level.h"
 #include "round.h"
 
@@ -18,15 +19,13 @@ level_nodes(Chart g)
 	return (size_t)g.nu*g.nv;
 }
 
-/* The fewest nodes along an axis that have at least the steps of g over `by`; an even number of columns on
- * a folded chart. */
+/* The fewest nodes along an axis that have at least the steps of g over `by`. */
 static int
 divided(Chart g, int axis, double by)
 {
 	const int *joined = g.kind->joined[axis];
-	int nodes = (int)ceil(chart_steps(g, axis)/by + 1 - (joined[0] + joined[1])*0.5);
 
-	return axis == 0 && g.kind->folded ? (nodes + 1)/2*2 : nodes;
+	return (int)ceil(chart_steps(g, axis)/by + 1 - (joined[0] + joined[1])*0.5);
 }
 
 Chart
@@ -34,10 +33,11 @@ level_thinned(Chart g, int steps)
 {
 	double by = fmin(chart_steps(g, 0), chart_steps(g, 1))/steps;
 
-	return by > 1 ? (Chart){ divided(g, 0, by), divided(g, 1, by), g.T, g.kind } : g;
+	return by > 1 ? plate_fast((Chart){ divided(g, 0, by), divided(g, 1, by), g.T, g.kind }) : g;
 }
 
-/* The chart with half as many steps in both directions, or only in the one with clearly shorter steps. */
+/* The chart with half as many steps in both directions, or only in the one with clearly shorter steps; about
+ * half on a sock. */
 static Chart
 coarser(Chart g)
 {
@@ -48,7 +48,7 @@ coarser(Chart g)
 		c.nu = divided(g, 0, 2);
 	if (k < SQUARE*h)
 		c.nv = divided(g, 1, 2);
-	return c;
+	return plate_fast(c);
 }
 
 int

@@ -20,8 +20,8 @@ size_t level_nodes(Chart g);
 /* Whether a grid with fewer nodes than g would still have the least number. */
 int level_has_coarser(Chart g);
 
-/* The chart of the same kind with `steps` steps, or a few more, along the axis with fewer, and in proportion
- * along the other; g itself if it has no more. */
+/* The chart of the same kind with about `steps` steps along the axis with fewer, and in proportion along the
+ * other; g itself if it has no more. */
 Chart level_thinned(Chart g, int steps);
 
 /* Makes the next coarser level l of f, with the boundary curve in its phi: half as many steps in both
