@@ -6,6 +6,7 @@
 #include "shared/formats.h"
 #include "shared/numbered.h"
 #include "grid2mesh/gridfile.h"
+#include "grid2mesh/scene.h"
 
 static const char text[] =
 "usage: grid2mesh [-o FILE] [--on=MESH] [--with=NAMES] [GRID] >mesh.off\n"
@@ -29,6 +30,8 @@ static const char text[] =
 "                     properties of PLY and point data of VTP; or alone, to FILE that ends in\n"
 "                     .shape.gii .func.gii (GIFTI) .curv .sulc .thickness (FreeSurfer, one channel);\n"
 "                     NaN at a vertex without (u,v)\n"
+"      --seconds=S    FILE.glb, glTF 2, takes all grids of a stream, the first as the mesh and the\n"
+"                     others as morph targets of an animation of S seconds [4]; --with=H colours it\n"
 "      --flip-sign    negate H.  With outward normals H is positive in a sulcus, as FreeSurfer's\n"
 "                     curv; files of the HCP for Workbench count a sulcus negative\n"
 "  -o, --output=FILE  write FILE, in the format that its name ends in, {ends}\n"
@@ -45,6 +48,7 @@ static const struct option longopt[] = {
 	{ "filled", required_argument, NULL, 'f' },
 	{ "with",   required_argument, NULL, 'w' },
 	{ "flip-sign", no_argument,    NULL, 'F' },
+	{ "seconds", required_argument, NULL, 's' },
 	CMD_LONGOPT
 };
 
@@ -69,7 +73,7 @@ check_with(const Fields *f, const MeshFormat *format, const FieldFormat *alone)
 
 	if (alone && !f->names)
 		misuse("--output: a %s file holds channels, need --with", alone->name);
-	if (f->names && !alone && !(format->can & MESHFORMAT_FIELDS))
+	if (f->names && !alone && format && !(format->can & MESHFORMAT_FIELDS))
 		misuse("--with: %s has no place for channels, .ply .vtp and %s have", format->name, fieldformat_ends(list));
 	if (f->flip && !f->names)
 		misuse("--flip-sign needs --with");
@@ -84,6 +88,8 @@ main(int argc, char *argv[])
 	OnMesh mesh = { 0 };
 	Fields fields = { NULL, 0 };
 	const FieldFormat *alone;
+	Scene scene = { 0 };
+	double seconds = 4;
 	const MeshFormat *format;
 	int many, opt, i = 0, offsets = -1, filled = -1;
 	size_t n;
@@ -97,6 +103,7 @@ main(int argc, char *argv[])
 		case 'd': offsets = opt_word(optarg, "keep\0drop\0smooth\0", "detail"); break;
 		case 'w': fields.names = optarg; break;
 		case 'F': fields.flip = 1; break;
+		case 's': seconds = opt_double(optarg, 1e-3, 1e6, "seconds"); break;
 		case 'f': filled = opt_word(optarg, "drop\0keep\0", "filled"); break;
 		}
 	if ((offsets >= 0 || filled >= 0) && !on)
@@ -104,11 +111,11 @@ main(int argc, char *argv[])
 	cmd_operands(argc, argv, 0, 1);
 	name = cmd_output();
 	alone = name ? fieldformat_of(name) : NULL;
-	if (!(format = name ? meshformat_of(name) : meshformat(0)) && !alone)
+	if (!(format = name ? meshformat_of(name) : meshformat(0)) && !alone && !scene_is(name))
 		misuse("--output=%s: need a name that ends in %s", name, meshformat_ends(MESHFORMAT_WRITE, list));
-	check_with(&fields, format, alone);
-	many = numbered(name);
-	if (on && !alone)
+	check_with(&fields, scene_is(name) ? NULL : format, alone);
+	many = scene_is(name) || numbered(name);
+	if (on && !alone && !scene_is(name))
 		check_on(on, argv[optind], format);
 
 	cmd_open(&in, argv[optind]);
@@ -117,6 +124,13 @@ main(int argc, char *argv[])
 			die("%s: holds several grids, one for each file: need -o NAME-%%03d.off", in.name);
 		if (on && i == 0)
 			gridfile_read_mesh(on, offsets, filled > 0, &mesh); /* once mesh2rect has written it */
+		if (scene_is(name)) {
+			scene_add(&scene, &in, &g, &mesh, &fields);
+			fields.names = NULL;    /* the first surface has the colours */
+			i++;
+			lhg_free(&g);
+			continue;
+		}
 		if (alone)
 			gridfile_field_bytes(&in, &g, &mesh, &fields, alone, &bytes, &n);
 		else
@@ -124,6 +138,11 @@ main(int argc, char *argv[])
 		cmd_write_bytes(numbered_name(name, ++i, path, sizeof path), bytes, n);
 		free(bytes);
 		lhg_free(&g);
+	}
+	if (scene_is(name)) {
+		scene_bytes(&scene, &in, seconds, &bytes, &n);
+		cmd_write_bytes(name, bytes, n);
+		free(bytes);
 	}
 	soup_free(&mesh.s);
 	return cmd_end();

@@ -57,31 +57,22 @@ facts_of(const Lhg *g)
 	return facts;
 }
 
+/* Sets s to the mesh of a grid.  single: coordinates will be written as floats, to a file of that kind. */
 static void
-mesh_of_grid(const CmdInput *in, const Lhg *g, const double *const phi[3], const Fields *fields,
-	const MeshFormat *format, char **bytes, size_t *n)
+mesh_of_grid(const CmdInput *in, const Lhg *g, const double *const phi[3], int single, const char *kind,
+	Soup *s)
 {
-	Soup s = { .facts = NULL };
 	Mesh m;
 	int left = 0, e = mesh_from_grid(&m, chart_of(g), phi);
 
 	if (!e)
-		e = gridmesh_part(&m, chart_of(g), (format->can & MESHFORMAT_SINGLE) != 0, &left);
-	if (!e) {
-		s = (Soup){ .nv = m.nv, .nf = m.nf, .xyz = m.xyz, .idx = m.tri, .facts = facts_of(g) };
-		fields_add(in, g, fields, m.nv, NULL, &s.channels);
-		e = meshfile_write(&s, format, bytes, n);
-		free(s.facts);
-		channels_free(&s.channels);
-	}
-	if (e == MESH_EVALUE)
-		die("%s: a coordinate is too large for %s", in->name, format->name);
+		e = gridmesh_part(&m, chart_of(g), single, &left);
 	if (e)
 		die("%s: no memory for a mesh of %d x %d vertices", in->name, g->nu, g->nv);
 	if (left)
 		note("%s: %d faces without area, or nodes at one place: cells smaller than %s can hold", in->name,
-		    left, format->name);
-	mesh_free(&m);
+		    left, kind);
+	*s = (Soup){ .nv = m.nv, .nf = m.nf, .xyz = m.xyz, .idx = m.tri };
 }
 
 /* The metadatum waves of a filtered grid: the wave number up to which the filter kept detail, in
@@ -189,28 +180,6 @@ place_mesh(const CmdInput *in, const Lhg *g, const double *const phi[3], const O
 	offset_vertices(on, chart, phi, uv, s);
 }
 
-static void
-moved_mesh(const CmdInput *in, const Lhg *g, const double *const phi[3], const OnMesh *on,
-	const Fields *fields, const MeshFormat *format, char **bytes, size_t *n)
-{
-	Soup s;
-	int e;
-
-	place_mesh(in, g, phi, on, &s);
-	fields_add(in, g, fields, s.nv, channel_values(&s.channels, MESH_UV), &s.channels);
-	s.facts = facts_of(g);
-	e = meshfile_write(&s, format, bytes, n);
-	if (e == MESH_EFACE)
-		die("%s: %s has only triangles, a face of the mesh is none", on->name, format->name);
-	if (e == MESH_EVALUE)
-		die("%s: a coordinate is too large for %s", on->name, format->name);
-	if (e)
-		die("%s: no memory for a mesh of %d vertices", on->name, s.nv);
-	free(s.facts);
-	free(s.xyz);
-	channels_free(&s.channels);
-}
-
 /* The positions of the nodes: x y z; or for fields, which are those of grids between grid2lh and lh2grid, the
  * place. */
 static void
@@ -224,16 +193,45 @@ positions(const CmdInput *in, const Lhg *g, const Fields *fields, const double *
 }
 
 void
-gridfile_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields *fields,
-	const MeshFormat *format, char **bytes, size_t *n)
+gridfile_soup(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields *fields, int single,
+	const char *kind, Soup *s)
 {
 	const double *phi[3];
 
 	positions(in, g, fields, phi);
 	if (on->name)
-		moved_mesh(in, g, phi, on, fields, format, bytes, n);
+		place_mesh(in, g, phi, on, s);
 	else
-		mesh_of_grid(in, g, phi, fields, format, bytes, n);
+		mesh_of_grid(in, g, phi, single, kind, s);
+	fields_add(in, g, fields, s->nv, channel_values(&s->channels, MESH_UV), &s->channels);
+	s->facts = facts_of(g);
+}
+
+void
+gridfile_soup_free(const OnMesh *on, Soup *s)
+{
+	if (!on->name)
+		free(s->idx);           /* else it is that of the mesh */
+	free(s->facts);
+	free(s->xyz);
+	channels_free(&s->channels);
+}
+
+void
+gridfile_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields *fields,
+	const MeshFormat *format, char **bytes, size_t *n)
+{
+	const char *name = on->name ? on->name : in->name;
+	Soup s;
+
+	gridfile_soup(in, g, on, fields, (format->can & MESHFORMAT_SINGLE) != 0, format->name, &s);
+	switch (meshfile_write(&s, format, bytes, n)) {
+	case 0: break;
+	case MESH_EFACE: die("%s: %s has only triangles, a face of the mesh is none", name, format->name);
+	case MESH_EVALUE: die("%s: a coordinate is too large for %s", name, format->name);
+	default: die("%s: no memory for a mesh of %d vertices", name, s.nv);
+	}
+	gridfile_soup_free(on, &s);
 }
 
 /* The (u,v) of the mesh of --on on the chart of g, to be freed. */

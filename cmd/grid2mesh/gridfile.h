@@ -34,4 +34,10 @@ void gridfile_field_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, co
 void gridfile_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields *fields,
 	const MeshFormat *format, char **bytes, size_t *n);
 
+/* The same as a soup, to be freed by gridfile_soup_free.  single: coordinates will be rounded to floats; kind names the
+ * file in notes. */
+void gridfile_soup(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields *fields, int single,
+	const char *kind, Soup *s);
+void gridfile_soup_free(const OnMesh *on, Soup *s);
+
 #endif
