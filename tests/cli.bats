@@ -331,6 +331,87 @@ setting() {
 	grep -q '^history lhinterp ...  # lhgrid [0-9.]*$' step
 }
 
+# A step that read its grid from a file has the file's name in its history, which the script leaves out.
+same_but_history() {
+	/usr/bin/python3 - "$@" <<-END
+		import sys
+		sys.path.insert(0, '$BATS_TEST_DIRNAME/../scripts')
+		import lhg
+		a, b = ([(g.T, g.frame, g.meta, {k: c.data.tobytes() for k, c in g.channels.items()}) for g in lhg.read(f)] for f in sys.argv[1:])
+		assert a == b and len(a) > 0
+	END
+}
+
+@test "lhinfo --history is a script that makes the stream again, from any folder of commands and merges" {
+	mkdir "$tmp/made"
+	cd "$tmp/made"
+	cp "$tmp/cap.off" "a b's.off"
+	mkmesh -n 200 cap angle=50 -o $'c\nd.off'
+	mesh2rect -q -n 8 "a b's.off" -o a
+	grid2lh -o a.lh a
+	mesh2rect -q -n 8 --like=a $'c\nd.off' | grid2lh -o b.lh
+	lhinterp -q -n 3 a.lh b.lh -o morph.lh
+	lhinterp -q -t 0.25 --scale a.lh b.lh >merged.lh
+	lhinterp -q -t 0.5 merged.lh a.lh >twice.lh
+	lhfft -K 1 twice.lh | lh2grid -o twice
+	cat a.lh twice >cat
+	for file in a.lh morph.lh merged.lh twice cat; do
+		lhinfo --history $file >script
+		mkdir -p moved
+		mv *.lh twice cat moved
+		for shell in bash dash; do
+			TMPDIR=$tmp/made/moved $shell script 2>/dev/null >again
+			same_but_history again moved/$file
+		done
+		mv moved/* .
+	done
+	lhinfo --history a.lh >script
+	[ "$(wc -l <script)" = 4 ]
+	mesh2rect -q -n 8 <"a b's.off" | grid2lh >stdin.lh
+	lhinfo --history stdin.lh >script
+	sh script <"a b's.off" 2>/dev/null | cmp - stdin.lh     # no file of a grid, so even the history is the same
+	grid2lh --no-history a >none
+	try 1 'none: no history'                       /dev/null lhinfo --history none
+	lhinterp -q -t 0 a.lh none >half
+	try 1 'half: an input of a merge has no'       /dev/null lhinfo --history half
+	lhinterp -q -t "0$(printf ',0.%0500d' $(seq 9))" a.lh b.lh >cut
+	try 1 'cut: a step of the history is cut off'  /dev/null lhinfo --history cut
+	cp a.lh mean
+	for i in $(seq 150); do lhinterp -q -t 0.5 mean b.lh -o mean; done
+	try 1 'mean: the oldest steps'                 /dev/null lhinfo --history mean
+	try 2 'not with --json or --stats'             /dev/null lhinfo --history --json mean
+}
+
+@test "lhinfo --stats: quantiles and histogram of known numbers, as text and as JSON" {
+	/usr/bin/python3 - "$tmp/known" <<-'END'
+		import sys
+		sys.path.insert(0, 'scripts')
+		import lhg, numpy as np
+		g = lhg.Grid(101, 10, 1.0)
+		x = np.random.default_rng(1).permutation(1010)
+		g.channels['x'] = lhg.Channel(x.reshape(10, 101)*1.0, 'length')
+		g.channels['same'] = lhg.Channel(np.full((10, 101), 3.0), '1')
+		g.channels['far'] = lhg.Channel(np.where(x < 505, -1.7e308, 1.7e308).reshape(10, 101), '1')
+		lhg.write(sys.argv[1], [g])
+	END
+	lhinfo --stats "$tmp/known" >"$tmp/text"
+	grep -qx '    1 % 10  median 505  99 % 999' "$tmp/text"
+	[ "$(grep -c ' below        0$' "$tmp/text")" = 2 ]
+	grep -qx ' *below *10' "$tmp/text"
+	grep -qx ' *above *10' "$tmp/text"
+	grep -qx ' *3 .. *3 *1010 ########################################' "$tmp/text"
+	lhinfo --json --stats "$tmp/known" >"$tmp/json"
+	python3 - "$tmp/json" <<-'END'
+		import json, sys
+		x, same, far = json.load(open(sys.argv[1]))['channels']
+		assert (x['p01'], x['median'], x['p99'], x['below'], x['above']) == (10, 505, 999, 10, 10)
+		assert sum(x['histogram']) == 990 and max(x['histogram']) - min(x['histogram']) <= 1
+		assert same['histogram'][0] == 1010 and sum(same['histogram']) == 1010
+		assert far['histogram'][0] == 505 and far['histogram'][-1] == 505
+	END
+	lhinfo --json "$tmp/known" | run ! grep -q median
+}
+
 @test "--no-history leaves this step and the earlier ones out; nothing else changes" {
 	for c in "grid2lh $tmp/phi" "lhfft -K 1 $tmp/lh" "lhfft -K 1,2 $tmp/lh" "lh2grid $tmp/lh" "lhinterp -q -n 2 $tmp/lh $tmp/lh" \
 	    "mesh2rect -n 8 $tmp/cap.off"; do

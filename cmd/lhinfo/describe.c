@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "describe.h"
+#include "spread.h"
 #include "../shared/json.h"
 
 static const char *const support[] = { "grid", "border", "lattice" };
@@ -48,9 +49,10 @@ json_lines(FILE *f, const char *s, int pairs)
 }
 
 void
-describe_json(FILE *f, const char *name, const Lhg *g)
+describe_json(FILE *f, const char *name, const Lhg *g, int stats)
 {
 	const LhgChannel *c;
+	Spread s;
 	Range r;
 
 	fputs("{ \"file\": ", f);
@@ -64,7 +66,12 @@ describe_json(FILE *f, const char *name, const Lhg *g)
 		fputs(", \"unit\": ", f);
 		json_string(f, c->unit);
 		fprintf(f, ", \"support\": \"%s\", \"step\": %d, \"samples\": %zu, \"min\": %.17g, "
-			"\"max\": %.17g, \"mean\": %.17g }", support[c->support], c->step, c->n, r.min, r.max, r.mean);
+			"\"max\": %.17g, \"mean\": %.17g", support[c->support], c->step, c->n, r.min, r.max, r.mean);
+		if (stats) {
+			s = spread_of(c);
+			spread_json(f, &s);
+		}
+		fputs(" }", f);
 	}
 	fputs("], \"meta\": { ", f);
 	json_lines(f, g->meta, 1);
@@ -83,11 +90,12 @@ print_lines(FILE *f, const char *word, const char *s)
 }
 
 void
-describe_text(FILE *f, const char *name, const Lhg *g)
+describe_text(FILE *f, const char *name, const Lhg *g, int stats)
 {
 	const LhgChannel *c;
 	char span[32];
 	size_t len;
+	Spread s;
 	Range r;
 
 	for (; *name; name += len ? len : 1)
@@ -102,6 +110,10 @@ describe_text(FILE *f, const char *name, const Lhg *g)
 		snprintf(span, sizeof span, c->step ? "%s %d" : "%s", support[c->support], c->step);
 		fprintf(f, "  channel %-8s %-9s %-11s %8zu samples  min %-12.6g max %-12.6g mean %.6g\n",
 			c->name, c->unit, span, c->n, r.min, r.max, r.mean);
+		if (stats) {
+			s = spread_of(c);
+			spread_text(f, &s);
+		}
 	}
 	print_lines(f, "meta", g->meta);
 	print_lines(f, "history", g->hist);
