@@ -1,4 +1,4 @@
-/* base64.c - bytes written as base64 text. */
+/* base64read.c - bytes from base64 text. */
 #include <stdint.h>
 #include <string.h>
 
