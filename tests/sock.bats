@@ -121,6 +121,21 @@ assert abs(H["mean"] + 1) < .01, H["mean"]'
 	mesh2rect --chart=sock -n 40x12 "$tmp/cap.off" | lhinfo | head -1 | grep -q ': 40 x 12 nodes'
 }
 
+@test "a sock that is far too low or too high is refused" {
+	for T in 1e-4 60; do
+		PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 - "$tmp/lh" "$T" "$tmp/bad" <<-'EOF'
+			import sys
+			sys.path.insert(0, "scripts")
+			import lhg
+			g = next(lhg.read(sys.argv[1]))
+			g.T = float(sys.argv[2])
+			lhg.write(sys.argv[3], [g])
+		EOF
+		try 1 'height T is .*, not in' /dev/null lh2grid "$tmp/bad"
+		try 1 'height T is .*, not in' /dev/null lhfft -K 1 "$tmp/bad"
+	done
+}
+
 @test "--chart=auto: the rectangle for a cap, the sock for a head; without it a note" {
 	[ "$(mesh2rect --chart=auto -n 32 "$tmp/cap.off" | head -1)" = 'lhg 1' ]
 	[ -d "$meshes/good" ] || skip "no meshes in $meshes"

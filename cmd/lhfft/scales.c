@@ -153,6 +153,7 @@ scales_need(const CmdInput *in, const Lhg *g)
 	double floor = least((size_t)g->nu*g->nv, cmd_need(in, g, "lambda", LHG_GRID));
 
 	cmd_need(in, g, "H", LHG_GRID);
+	range_height(in, g);
 	if (!(floor > 0))
 		die("%s: lambda is not positive everywhere", in->name);
 	claim(in->name, "the transform", (double)g->nu*g->nv, 8*10);

@@ -1,9 +1,10 @@
 /* range.c - input limits within which no stage overflows. */
 #include <math.h>
 
+#include "chartof.h"
 #include "range.h"
 
-static const double LENGTH = 1e60, HEIGHT = 1e9, RATIO = 1e12, NUMBER = 1e100, FAR = 1e3;
+static const double LENGTH = 1e60, RATIO = 1e12, NUMBER = 1e100, FAR = 1e3;
 
 void
 range_positions(const char *name, size_t n, int stride, const double *const x[3])
@@ -29,8 +30,10 @@ range_positions(const char *name, size_t n, int stride, const double *const x[3]
 void
 range_height(const CmdInput *in, const Lhg *g)
 {
-	if (!(g->T >= 1/HEIGHT && g->T <= HEIGHT))
-		die("%s: the height T is %g, not in [%g,%g]", in->name, g->T, 1/HEIGHT, HEIGHT);
+	const ChartKind *kind = chart_of(g).kind;
+
+	if (!(g->T >= kind->lowest && g->T <= kind->highest))
+		die("%s: the height T is %g, not in [%g,%g]", in->name, g->T, kind->lowest, kind->highest);
 }
 
 void

@@ -8,7 +8,7 @@
  * their extents along the three axes is below 1e-60, but not 0. */
 void range_positions(const char *name, size_t n, int stride, const double *const x[3]);
 
-/* Dies unless the height T of g is in 1e-9 .. 1e9. */
+/* Dies unless the height T of g is one that its chart can have (chart.h). */
 void range_height(const CmdInput *in, const Lhg *g);
 
 /* Dies unless lambda is in 1e-60 .. 1e60, its largest value at most 1e12 times its least, and |H|

@@ -91,9 +91,10 @@ sock_round(Chart g, double *lambda0)
 	}
 }
 
-const ChartKind CHART_RECTANGLE = { "rectangle", .cells = rectangle_cells, .cell = rectangle_cell };
+const ChartKind CHART_RECTANGLE = { "rectangle", .cells = rectangle_cells, .cell = rectangle_cell,
+    .lowest = 1e-9, .highest = 1e9 };
 const ChartKind CHART_SOCK = { "sock", .joined = { { 1, 1 }, { 1, 0 } }, .beyond = sock_beyond,
-    .cells = sock_cells, .cell = sock_cell, .round = sock_round, .folded = 1, .cones = 2,
+    .cells = sock_cells, .cell = sock_cell, .round = sock_round, .lowest = 1e-3, .highest = 50, .folded = 1, .cones = 2,
     .cone = { { 0, 0 }, { 0.5, 0 } } };
 
 const ChartKind *

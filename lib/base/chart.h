@@ -36,6 +36,8 @@ typedef struct ChartKind {
 	int  (*cells)(Chart g);
 	void (*cell)(Chart g, int n, int corner[4]);
 
+	double lowest, highest; /* heights T within which `round` neither overflows nor vanishes */
+
 	/* The conformal factor of a round surface on the chart, [nv][nu].  lambda goes to 0 at a cone
 	 * as it does; lambda over it does not.  NULL: 1 everywhere. */
 	void (*round)(Chart g, double *lambda0);
