@@ -38,6 +38,52 @@ test_all_sheets_have_one_image(void **state)
 	}
 }
 
+/* A triangle, its first corner at (u,v), is drawn on the cover; then each corner is known by its image in the
+ * chart only.  All three on one sheet, it is the same triangle.  (At a cone angles are halved, so none is
+ * above pi/2.) */
+static void
+triangle_on_one_sheet(double u, double v, double turn, double T)
+{
+	double x[3], y[3], X[3], Y[3], a[3], b[3];
+	Sheet s[3];
+	int first, k, l;
+
+	for (k = 0; k < 3; k++) {
+		x[k] = u + (k ? .02*cos(turn + 1.2*k) : 0);
+		y[k] = v + (k ? .02*sin(turn + 1.2*k) : 0);
+		if (y[k] > T)
+			return;
+		a[k] = y[k] < 0 ? -x[k] : x[k], b[k] = fabs(y[k]);
+		a[k] -= floor(a[k]);
+	}
+	for (first = 0; first < 3; first++) {
+		double at[3], bt[3];
+
+		for (k = 0; k < 3; k++)
+			at[k] = a[(k + first)%3], bt[k] = b[(k + first)%3];
+		sheet_polygon(3, at, bt, s);
+		for (k = 0; k < 3; k++)
+			X[(k + first)%3] = sheet_u(s[k], at[k]), Y[(k + first)%3] = sheet_v(s[k], bt[k]);
+		for (k = 0, l = 1; k < 3; k++, l = (k + 1)%3)
+			assert_true(fabs(hypot(X[l] - X[k], Y[l] - Y[k]) - hypot(x[l] - x[k], y[l] - y[k])) < 1e-14);
+		assert_true((X[1] - X[0])*(Y[2] - Y[0]) > (X[2] - X[0])*(Y[1] - Y[0]));
+	}
+}
+
+/* At the cones, at the seam and the fold beside them, and elsewhere. */
+static void
+test_triangles_lie_on_one_sheet(void **state)
+{
+	static const double at[][2] = { { 0, 0 }, { .5, 0 }, { 0, .1 }, { .999, .09 }, { .25, 0 }, { .7, .004 }, { .3, .1 } };
+	size_t i;
+	int k;
+
+	(void)state;
+	for (i = 0; i < sizeof at/sizeof *at; i++)
+		for (k = 0; k < 40; k++)
+			triangle_on_one_sheet(at[i][0], at[i][1], 2*M_PI*(k + .3)/40, .2);
+}
+
 static void
 test_boundary_is_the_circle_and_cones_are_s(void **state)
 {
@@ -156,6 +202,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_all_sheets_have_one_image),
+		cmocka_unit_test(test_triangles_lie_on_one_sheet),
 		cmocka_unit_test(test_boundary_is_the_circle_and_cones_are_s),
 		cmocka_unit_test(test_round_trip),
 		cmocka_unit_test(test_height_of_the_distance_of_the_cones),

@@ -49,4 +49,9 @@ sheet_nearest(double u, double v, double x, double y)
 	    hypot(sheet_u(same, u) - x, sheet_v(same, v) - y) ? turned : same;
 }
 
+/* The images of the n corners (u,v) of a polygon, n >= 1, that lie on one sheet: of those nearest to the
+ * point of one corner, the images whose perimeter is least.  To a corner at a cone both images of
+ * another are equally near, so that corner cannot decide. */
+void sheet_polygon(int n, const double *u, const double *v, Sheet *s);
+
 #endif

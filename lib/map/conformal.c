@@ -91,21 +91,23 @@ sample_enough(const Sampling *m, Chart g, Conformal *c)
 	return e;
 }
 
-/* How many triangles are turned over, each drawn with straight edges on the sheet of its first corner. */
+/* How many triangles are turned over, each drawn with straight edges on one sheet. */
 static int
 turned_on_sheets(const Disk *d, const double *u, const double *v)
 {
+	static const int corner[3] = { 0, 1, 2 };
 	int t, k, n = 0;
 
 	for (t = 0; t < d->m.nf; t++) {
-		const int *c = &d->m.tri[3*(size_t)t], corner[3] = { 0, 1, 2 };
+		const int *c = &d->m.tri[3*(size_t)t];
 		double x[3], y[3];
+		Sheet s[3];
 
-		for (k = 0; k < 3; k++) {
-			Sheet s = sheet_nearest(u[c[k]], v[c[k]], u[c[0]], v[c[0]]);
-
-			x[k] = sheet_u(s, u[c[k]]), y[k] = sheet_v(s, v[c[k]]);
-		}
+		for (k = 0; k < 3; k++)
+			x[k] = u[c[k]], y[k] = v[c[k]];
+		sheet_polygon(3, x, y, s);
+		for (k = 0; k < 3; k++)
+			x[k] = sheet_u(s[k], x[k]), y[k] = sheet_v(s[k], y[k]);
 		n += mesh_image(corner, x, y) < 0;
 	}
 	return n;
