@@ -112,42 +112,48 @@ apply(const Axis *a, const double *f, long fstep, double *e, long estep)
 	}
 }
 
-/* How many nodes beyond the sides of the grid the weights reach. */
-static int
+/* How many nodes the weights reach before the first node of the grid and after the last. */
+typedef struct Reach {
+	int before, after;
+} Reach;
+
+static Reach
 reach(const Axis *a, int nodes)
 {
-	int most = 0, i;
+	Reach r = { 0, 0 };
+	int i, last;
 
 	for (i = 0; i < a->n; i++) {
-		most = -a->first[i] > most ? -a->first[i] : most;
-		most = a->first[i] + a->count[i] - nodes > most ? a->first[i] + a->count[i] - nodes : most;
+		last = a->first[i] + a->count[i] - 1;
+		r.before = -a->first[i] > r.before ? -a->first[i] : r.before;
+		r.after = last - (nodes - 1) > r.after ? last - (nodes - 1) : r.after;
 	}
-	return most;
+	return r;
 }
 
-/* The field f with `u` and `v` more columns and rows at each end, [nv+2v][nu+2u].  To be freed; NULL if
- * there is no memory. */
+/* The field f with so many more columns and rows on each side.  To be freed; NULL if there is no memory. */
 static double *
-extend(Chart g, const double *f, int u, int v)
+extend(Chart g, const double *f, Reach u, Reach v)
 {
-	double *x = malloc(((size_t)g.nu + 2*u)*(g.nv + 2*v)*sizeof *x), *next = x;
+	size_t row = (size_t)u.before + g.nu + u.after;
+	double *x = malloc(row*(v.before + g.nv + v.after)*sizeof *x), *next = x;
 	int i, j, sign = 1;
 
-	for (j = -v; x && j < g.nv + v; j++)
-		for (i = -u; i < g.nu + u; i++)
+	for (j = -v.before; x && j < g.nv + v.after; j++)
+		for (i = -u.before; i < g.nu + u.after; i++)
 			*next++ = f[stencil_node(g, i, j, &sign)];
 	return x;
 }
 
-/* f has rows of fnu nodes, from row -below to row fnv-1. */
+/* f has rows of `row` numbers, from row -below to row above-1. */
 static int
-apply_both(const Axis *u, const Axis *v, int fnu, int below, int fnv, const double *f, double *out)
+apply_both(const Axis *u, const Axis *v, int row, int below, int above, const double *f, double *out)
 {
-	double *half = malloc((size_t)u->n*(below + fnv)*sizeof *half);
+	double *half = malloc((size_t)u->n*(below + above)*sizeof *half);
 	int i, j;
 
-	for (j = 0; half && j < below + fnv; j++)
-		apply(u, f + (size_t)j*fnu, 1, half + (size_t)j*u->n, 1);
+	for (j = 0; half && j < below + above; j++)
+		apply(u, f + (size_t)j*row, 1, half + (size_t)j*u->n, 1);
 	for (i = 0; half && i < u->n; i++)
 		apply(v, half + (size_t)below*u->n + i, u->n, out + i, u->n);
 	free(half);
@@ -157,13 +163,16 @@ apply_both(const Axis *u, const Axis *v, int fnu, int below, int fnv, const doub
 static int
 resample(const Axis *u, const Axis *v, Chart from, const double *f, double *out)
 {
-	int wide = reach(u, from.nu), high = reach(v, from.nv), e = RESAMPLE_ENOMEM;
-	double *x = wide || high ? extend(from, f, wide, high) : NULL;
+	Reach wide = reach(u, from.nu), high = reach(v, from.nv);
+	int e = RESAMPLE_ENOMEM;
+	double *x;
 
-	if (!wide && !high)
+	if (!wide.before && !wide.after && !high.before && !high.after)
 		return apply_both(u, v, from.nu, 0, from.nv, f, out);
+	x = extend(from, f, wide, high);
 	if (x)
-		e = apply_both(u, v, from.nu + 2*wide, high, from.nv + high, x + wide, out);
+		e = apply_both(u, v, wide.before + from.nu + wide.after, high.before, from.nv + high.after,
+		    x + wide.before, out);
 	free(x);
 	return e;
 }
