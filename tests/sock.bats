@@ -53,6 +53,39 @@ assert abs(H["mean"] + 1) < .01, H["mean"]'
 	below "$(error_of "$tmp/cap.off" "$tmp/on.off" max_rel)" 0.02
 }
 
+# Each face is drawn in one piece: together they have the area T of the sock, and none is turned over.
+@test "faces across seam and fold have texture coordinates of their own in OBJ; --on knows the chart" {
+	mesh2rect --chart=sock -n 32 --uv="$tmp/uv.obj" "$tmp/cap.off" -o "$tmp/coarse"
+	/usr/bin/python3 - "$tmp/uv.obj" <<-'EOF'
+		import sys
+		vt, area = [], 0
+		for line in open(sys.argv[1]):
+		    w = line.split()
+		    if line.startswith("# lhgrid T"):
+		        T = float(w[3])
+		    if w[0] == "vt":
+		        vt.append((float(w[1]), float(w[2])))
+		    if w[0] == "f":
+		        (a, b), (c, d), (e, f) = (vt[int(x.split("/")[1]) - 1] for x in w[1:])
+		        area += ((c - a)*(f - b) - (e - a)*(d - b))/2
+		        assert (c - a)*(f - b) > (e - a)*(d - b)
+		assert abs(area/T - 1) < 1e-6, area/T
+	EOF
+	grid2mesh --on="$tmp/uv.obj" "$tmp/coarse" -o "$tmp/on.obj"
+	cmp <(grep ^vt "$tmp/uv.obj") <(grep ^vt "$tmp/on.obj")
+	cmp <(grep ^f "$tmp/uv.obj") <(grep ^f "$tmp/on.obj")
+	mesh2rect -n 16 --uv="$tmp/flat.obj" "$tmp/cap.off" -o "$tmp/rect"
+	grep -q 'lhgrid chart' "$tmp/flat.obj" && return 1
+	for mesh in uv.obj uv.ply; do
+		try 1 'on a sock, .*rect is on a rectangle: mesh2rect --chart=rectangle' /dev/null \
+			grid2mesh --on="$tmp/$mesh" "$tmp/rect" -o "$tmp/none.off"
+		try 1 'on a sock' /dev/null grid2mesh --on="$tmp/$mesh" --with=lambda "$tmp/flat" -o "$tmp/none.shape.gii"
+	done
+	try 1 'on a rectangle, .*phi is on a sock: mesh2rect --chart=sock' /dev/null \
+		grid2mesh --on="$tmp/flat.obj" "$tmp/phi"
+	[ ! -e "$tmp/none.off" ]
+}
+
 @test "filters: all is kept, or only what is smooth" {
 	lhfft -K 0 "$tmp/lh" --no-history -o "$tmp/same"
 	PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 - "$tmp/lh" "$tmp/same" <<-'EOF'

@@ -806,6 +806,12 @@ obj_uv(void **state)
 	readsuv(TRI VT "f 1/-3 2/-2 3/-1\n", 0, 3, uv);
 	readsuv(TRI VT "f 2/1 3/2 1/3\n", 0, 3, turned);
 	readsuv(TRI "vt .5 .25 0\nvt 0 1 0\nvt 1 0 0\nvt .5 .25\nf 1/1 2/2 3/3\nf 1/4 3/3 2/2\n", 0, 3, uv);
+	readsuv("# lhgrid chart sock\n" TRI VT "vt 1.5 .25\nvt 0 -1\nf 1/4 2/5 3/3\n", 0, 3, uv);    /* images */
+	refusesuv("# lhgrid chart sock\n" TRI VT "vt .5 -.3\nf 1/1 2/2 3/3\nf 1/4 3/3 2/2\n", MESH_EVALUE,
+	    "vertex 0 has two (u,v)");
+	refusesuv("# lhgrid chart rectangle\n" TRI VT "vt 1.5 .25\nf 1/1 2/2 3/3\nf 1/4 3/3 2/2\n", MESH_EVALUE,
+	    "vertex 0 has two (u,v)");
+	refusesuv("#\n# lhgrid chart shoe\n" TRI VT "f 1/1 2/2 3/3\n", MESH_EVALUE, "line 2: no chart is called 'shoe'");
 	refusesuv(TRI "f 1 2 3\n", MESH_EFORMAT, "face 0 gives no vt for vertex 0");
 	refusesuv(TRI VT "f 1/1 2//2 3/3\n", MESH_EFORMAT, "face 0 gives no vt for vertex 1");
 	refusesuv(TRI VT "f 1/1 2/2 3/3\nf 1/1 3/2 2/2\n", MESH_EVALUE,

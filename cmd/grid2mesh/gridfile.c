@@ -151,27 +151,41 @@ copy_source(const OnMesh *on, Soup *s)
 	memcpy(to, from, (size_t)s->nv*sizeof *to);
 }
 
+/* Sets uv to the (u,v) of the vertices of `on` in the chart of g, or dies. */
+static void
+places(const CmdInput *in, const Lhg *g, const OnMesh *on, double *uv)
+{
+	const double *was = channel_values(&on->s.channels, MESH_UV);
+	const ChartKind *kind = on->s.chart;
+	const Chart chart = chart_of(g);
+	int at;
+
+	if (kind && kind != chart.kind)
+		die("%s: (u,v) on a %s, %s is on a %s: mesh2rect --chart=%s --uv", on->name, kind->name, in->name,
+		    chart.kind->name, chart.kind->name);
+	if (gridpoint_uv(chart, on->s.T, on->s.nv, was, uv, &at))
+		die("%s: vertex %d has (u,v) = (%g,%g), outside [0,1] x [0,%g]", on->name, at,
+		    was[2*(size_t)at], was[2*(size_t)at+1], on->s.T > 0 ? on->s.T : g->T);
+}
+
 /* Sets s to the mesh of `on`, with its vertices moved to their (u,v) on the grid. */
 static void
 place_mesh(const CmdInput *in, const Lhg *g, const double *const phi[3], const OnMesh *on, Soup *s)
 {
 	const Chart chart = chart_of(g);
-	const double *was = channel_values(&on->s.channels, MESH_UV);
 	const double *o = channel_values(&on->s.channels, MESH_OFFSET);
 	double *uv;
-	int at;
 
 	*s = on->s;
 	s->T = g->T;
+	s->chart = chart.kind;
 	s->xyz = cmd_alloc((size_t)s->nv, 3*sizeof *s->xyz);
 	memcpy(s->xyz, on->s.xyz, 3*(size_t)s->nv*sizeof *s->xyz);
 	s->channels = (Channels){ 0 };
 	if (!(uv = channel_add(&s->channels, MESH_UV, 2, (size_t)s->nv)))
 		die("%s: no memory for the (u,v) of %d vertices", on->name, s->nv);
 	copy_source(on, s);
-	if (gridpoint_uv(chart, on->s.T, s->nv, was, uv, &at))
-		die("%s: vertex %d has (u,v) = (%g,%g), outside [0,1] x [0,%g]", on->name, at,
-		    was[2*(size_t)at], was[2*(size_t)at+1], on->s.T > 0 ? on->s.T : g->T);
+	places(in, g, on, uv);
 	if (!o || on->offsets == OFFSETS_DROP) {
 		gridpoint_vertices(chart, 3, phi, s->nv, uv, s->xyz);
 		return;
@@ -234,28 +248,16 @@ gridfile_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields 
 	gridfile_soup_free(on, &s);
 }
 
-/* The (u,v) of the mesh of --on on the chart of g, to be freed. */
-static double *
-places(const Lhg *g, const OnMesh *on)
-{
-	const double *was = channel_values(&on->s.channels, MESH_UV);
-	double *uv = cmd_alloc((size_t)on->s.nv, 2*sizeof *uv);
-	int at;
-
-	if (gridpoint_uv(chart_of(g), on->s.T, on->s.nv, was, uv, &at))
-		die("%s: vertex %d has (u,v) = (%g,%g), outside [0,1] x [0,%g]", on->name, at,
-		    was[2*(size_t)at], was[2*(size_t)at+1], on->s.T > 0 ? on->s.T : g->T);
-	return uv;
-}
-
 void
 gridfile_field_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields *fields,
 	const FieldFormat *format, char **bytes, size_t *n)
 {
-	double *uv = on->name ? places(g, on) : NULL;
+	double *uv = on->name ? cmd_alloc((size_t)on->s.nv, 2*sizeof *uv) : NULL;
 	int nv = on->name ? on->s.nv : g->nu*g->nv, nf = on->name ? on->s.nf : 2*chart_of(g).kind->cells(chart_of(g));
 	Channels c = { 0 };
 
+	if (uv)
+		places(in, g, on, uv);
 	fields_add(in, g, fields, nv, uv, &c);
 	if (format->most && c.n > format->most)
 		misuse("--with=%s: a %s file holds one channel", fields->names, format->name);

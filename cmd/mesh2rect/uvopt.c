@@ -56,6 +56,7 @@ uv_write(const char *file, Soup *s, const Disk *d, const double *u, const double
 
 	if (disk_uv_to_soup(d, u, v, g.T, s))
 		die("%s: %s", file, s->err);
+	s->chart = g.kind;
 	add_offsets(file, s, g, phi);
 	if (s->filled && strcmp(meshformat_of(file)->name, "PLY") != 0)
 		note("%s: only PLY marks the faces that fill holes: grid2mesh --on will keep them", file);

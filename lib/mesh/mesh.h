@@ -49,7 +49,8 @@ typedef struct Soup {
 	int    *idx;
 	char    err[MESH_ERRLEN];
 	Channels channels;
-	double  T;              /* height of the rectangle of MESH_UV; 0: not known */
+	double  T;              /* height of the chart of MESH_UV; 0: not known */
+	const struct ChartKind *chart;  /* its kind; NULL: not known */
 	unsigned char *filled;  /* [nf] 1: the face fills a hole; NULL: not known */
 	const char *remarks;    /* lines for comments of the file that is written, or NULL; not freed
 	                         * with the soup */

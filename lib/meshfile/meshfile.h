@@ -48,13 +48,17 @@
 int meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most);
 
 /* Like meshfile_parse, but also reads the (u,v) of every vertex into the channel MESH_UV, the
- * height T of their rectangle into s->T (0 if the file does not have it), and the offsets, if the
- * file has them, into the channel MESH_OFFSET:
+ * height T of their chart into s->T (0 if the file does not have it) and its kind into s->chart (the
+ * rectangle if only T is there, NULL if neither is), and the offsets, if the file has them, into the channel
+ * MESH_OFFSET:
  *
  * OBJ  (u,v) from vt lines and corners a/b or a/b/c; T from a line "# lhgrid T 0.91"; offsets from
- *      lines "# lhgrid offset 0.01 0 -0.002 0.03", one for each vertex, in the order of the vertices
+ *      lines "# lhgrid offset 0.01 0 -0.002 0.03", one for each vertex, in the order of the vertices;
+ *      the chart from a line "# lhgrid chart sock" before the faces.  On a sock vertex k has vt k, and
+ *      corners of a face across seam or fold have images of it (../base/sheet.h), to draw the face in one piece
  * PLY  (u,v) from vertex properties s t, or u v, or texture_u texture_v; T from a line "comment
- *      lhgrid T 0.91"; offsets from vertex properties offset_u offset_v offset_n offset_r
+ *      lhgrid T 0.91", the chart from "comment lhgrid chart sock"; offsets from vertex properties
+ *      offset_u offset_v offset_n offset_r
  *
  * In an OBJ, a vertex that belongs to no face gets (-1,-1).  Returns MESH_EFORMAT also if the
  * format has no (u,v), if (u,v) are missing, or if only some vertices have offsets.  Returns

@@ -84,7 +84,7 @@ int soup_check_count(Reader *r, const char *what, long long count, size_t room);
 int soup_truncated(Reader *r, const char *what, long long i, long long count);
 
 /* Reads the text of a comment: "lhgrid fact space tkras" is a fact; if (u,v) are read, "lhgrid T 0.91" sets
- * s->T, and "lhgrid offset 0 0 .1 .02" is the offset of the next vertex; any other is ignored.  Returns 0,
+ * s->T, "lhgrid chart sock" s->chart, and "lhgrid offset 0 0 .1 .02" is the offset of the next vertex; any other is ignored.  Returns 0,
  * MESH_ENOMEM, MESH_EFORMAT or MESH_EVALUE. */
 int uv_comment(Reader *r);
 

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../base/chart.h"
+#include "../base/sheet.h"
 #include "meshpriv.h"
 
 /* vt[k] is (u,v) number k of the file; of[c] is the number of the (u,v) of corner c, or -1. */
@@ -177,11 +179,22 @@ face(Obj *o)
 	return soup_face(o->r);
 }
 
-/* Sets the (u,v) of vertex v from corner c of face f.  All corners at v must have the same (u,v). */
+/* Whether a and b are images of the same point of a folded chart, up to rounding. */
+static int
+same_point(const double a[2], const double b[2])
+{
+	Sheet s = sheet_nearest(a[0], a[1], b[0], b[1]);
+
+	return hypot(sheet_u(s, a[0]) - b[0], sheet_v(s, a[1]) - b[1]) < 1e-12;
+}
+
+/* Sets the (u,v) of vertex v from corner c of face f.  All corners at v must have the same (u,v), or images
+ * of it; it is then that of vt v. */
 static int
 assign_uv(Obj *o, int f, int c, int v)
 {
 	Soup *s = o->r->s;
+	int folded = s->chart && s->chart->folded && v < o->nt;
 	double *uv = o->r->uv + 2*(size_t)v;
 	const double *x;
 
@@ -190,6 +203,8 @@ assign_uv(Obj *o, int f, int c, int v)
 	if (o->of[c] >= o->nt)
 		return mesh_fail(s->err, MESH_EINDEX, "face %d refers to vt %d, there are %d", f, o->of[c], o->nt);
 	x = o->vt[o->of[c]];
+	if (folded && same_point(o->vt[v], x))
+		x = o->vt[v];
 	if ((uv[0] != -1 || uv[1] != -1) && (uv[0] != x[0] || uv[1] != x[1]))
 		return mesh_fail(s->err, MESH_EVALUE,
 		    "vertex %d has two (u,v), the second in face %d: a seam", v, f);

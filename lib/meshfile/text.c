@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../base/chart.h"
 #include "../mesh/channel.h"
 #include "facts.h"
 #include "writepriv.h"
@@ -110,4 +111,10 @@ text_modulus(Text *t, const Soup *s, const char *before)
 	text_words(t, before);
 	text_words(t, "lhgrid T ");
 	number(t, s->T, '\n');
+	if (!s->chart || s->chart == &CHART_RECTANGLE)
+		return;
+	text_words(t, before);
+	text_words(t, "lhgrid chart ");
+	text_words(t, s->chart->name);
+	text_words(t, "\n");
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../base/chart.h"
 #include "../mesh/channel.h"
 #include "meshpriv.h"
 
@@ -40,6 +41,20 @@ offset(Reader *r)
 	return offset_append(r, x);
 }
 
+/* Reads the chart of the (u,v) from the rest of the line. */
+static int
+chart(Reader *r)
+{
+	char name[SCAN_SHOW];
+	Token t = { "", 0 };
+
+	scan_word(r, &t);
+	r->s->chart = chart_kind(scan_show(t, name));
+	if (!r->s->chart)
+		return mesh_fail(r->s->err, MESH_EVALUE, "line %ld: no chart is called '%s'", r->line, name);
+	return 0;
+}
+
 int
 uv_comment(Reader *r)
 {
@@ -55,6 +70,8 @@ uv_comment(Reader *r)
 		return 0;
 	if (scan_is(t, "offset"))
 		return offset(r);
+	if (scan_is(t, "chart"))
+		return chart(r);
 	if (!scan_is(t, "T"))
 		return 0;
 	scan_word(r, &t);
@@ -107,6 +124,8 @@ uv_check(Reader *r)
 	double *f;
 	int e = check_values(r);
 
+	if (!r->s->chart && r->s->T > 0)
+		r->s->chart = &CHART_RECTANGLE;
 	if (!e && r->noffset > 0) {
 		if ((f = channel_add(&r->s->channels, MESH_OFFSET, 4, r->noffset)))
 			memcpy(f, r->offset, r->noffset*sizeof *r->offset);

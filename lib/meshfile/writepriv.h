@@ -32,8 +32,8 @@ int text_lines(Text *t, const double *x, int nv, int n, const char *before);
 /* Append n bytes as base64 text, one run with = at its end.  Returns 0 or MESH_ENOMEM. */
 int text_base64(Text *t, const void *bytes, size_t n);
 
-/* If s has (u,v) and T, append the comment line "lhgrid T 0.91".  `before` is what begins a comment
- * in the format. */
+/* If s has (u,v) and T, append the comment line "lhgrid T 0.91", and on a chart other than the rectangle
+ * "lhgrid chart sock".  `before` is what begins a comment in the format. */
 void text_modulus(Text *t, const Soup *s, const char *before);
 
 /* Append a comment line "lhgrid fact space tkras" for each of the facts of s.  Returns 0 or MESH_ENOMEM. */
