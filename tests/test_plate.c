@@ -34,6 +34,35 @@ check_transform(Kernel *transform, int N, int n, double (*term)(int j, int k, in
 	transform_free(&t);
 }
 
+/* A pair of lines is transformed as one after the other. */
+static void
+pairs_are_two_transforms(void **state)
+{
+	static const int steps[] = { 2, 3, 4, 5, 8, 13, 32, 59 };
+	double f[2][60], pair[2][60], *one, *work;
+	unsigned long long seed = 1;
+	Transform t;
+	int q, l, cosine;
+
+	(void)state;
+	for (q = 0; q < 16; q++) {
+		assert_int_equal(transform_init(&t, steps[q/2]), 0);
+		assert_int_equal(transform_init_pair(&t), 0);
+		one = fftw_alloc_real(transform_room(&t));
+		work = fftw_alloc_real(transform_pair_room(&t));
+		cosine = q%2;
+		for (l = 0; l < 120; l++)
+			f[l/60][l%60] = pair[l/60][l%60] = noise(&seed);
+		for (l = 0; l < 2; l++)
+			(cosine ? transform_cosine : transform_sine)(&t, f[l], one);
+		(cosine ? transform_cosine_pair : transform_sine_pair)(&t, pair[0], pair[1], work);
+		assert_true(largest(120, f[0], pair[0]) < 1e-12);
+		fftw_free(one);
+		fftw_free(work);
+		transform_free(&t);
+	}
+}
+
 static double
 sine_term(int j, int k, int N)
 {
@@ -266,6 +295,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(transforms_are_sums),
+		cmocka_unit_test(pairs_are_two_transforms),
 		cmocka_unit_test(fast_sizes_have_small_factors),
 		cmocka_unit_test(plate_inverts),
 		cmocka_unit_test(free_plate_inverts),

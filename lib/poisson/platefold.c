@@ -35,25 +35,33 @@ spectrum_offset(const Plate *p)
 	return ((size_t)p->g.nu + 7)/8*8;
 }
 
-/* The workspace of a thread: a row and its coefficients, or a column; then the workspace of a transform. */
+/* The numbers of a doubled column. */
+static size_t
+column_room(const Plate *p)
+{
+	return (2*(size_t)p->g.nv + 7)/8*8;
+}
+
+/* The workspace of a thread: a row and its coefficients, or two columns; then the workspace of a transform. */
 static size_t
 front_room(const Plate *p)
 {
-	size_t row = spectrum_offset(p) + p->g.nu + 2, column = 2*(size_t)p->g.nv;
+	size_t row = (spectrum_offset(p) + p->g.nu + 2 + 7)/8*8, columns = 2*column_room(p);
 
-	return ((row > column ? row : column) + 7)/8*8;
+	return row > columns ? row : columns;
 }
 
 static size_t
 room(const Plate *p)
 {
-	return front_room(p) + (transform_room(&p->transform[1]) + 7)/8*8;
+	return front_room(p) + (transform_pair_room(&p->transform[1]) + 7)/8*8;
 }
 
 int
 platefold_init(Plate *p)
 {
-	int nu = p->g.nu, e = transform_init(&p->transform[0], nu) || transform_init(&p->transform[1], steps(p));
+	int nu = p->g.nu, e = transform_init(&p->transform[0], nu) || transform_init(&p->transform[1], steps(p))
+	    || transform_init_pair(&p->transform[1]);
 	fftw_complex *spectrum;
 
 	if (!e)
@@ -122,20 +130,20 @@ transform_rows(const Plate *p, int back, double *z, double *work)
 }
 
 static void
-transform(const Plate *p, double *column, double *work)
+transform_columns(const Plate *p, double *column[2], double *work)
 {
 	if (p->free)
-		transform_cosine(&p->transform[1], column, work);
+		transform_cosine_pair(&p->transform[1], column[0], column[1], work);
 	else
-		transform_sine(&p->transform[1], column, work);
+		transform_sine_pair(&p->transform[1], column[0], column[1], work);
 }
 
-/* Solves for the coefficients number m along u of one field. */
+/* Copies the coefficients number m along u of one field, z, to the doubled column, and back. */
 static void
-solve_column(const Plate *p, double a, double b, double c, int m, double *z, double *column)
+copy_in(const Plate *p, int m, const double *z, double *column)
 {
 	int nu = p->g.nu, rows = unknown_rows(p), j, has_re = 2*m < nu, has_im = m > 0;
-	double norm = nu*(double)steps(p)/2, e, re, im, *work = column + front_room(p);
+	double re, im;
 
 	for (j = 0; j < rows; j++) {
 		re = has_re ? z[(size_t)j*nu + m] : 0;
@@ -143,18 +151,50 @@ solve_column(const Plate *p, double a, double b, double c, int m, double *z, dou
 		column[rows+j] = re + im;
 		column[rows-1-j] = re - im;
 	}
-	transform(p, column, work);
-	for (j = 0; j < 2*rows; j++) {
+}
+
+static void
+copy_out(const Plate *p, int m, const double *column, double *z)
+{
+	int nu = p->g.nu, rows = unknown_rows(p), j;
+
+	for (j = 0; j < rows; j++) {
+		if (2*m < nu)
+			z[(size_t)j*nu + m] = (column[rows+j] + column[rows-1-j])/2;
+		if (m > 0)
+			z[(size_t)j*nu + nu - m] = (column[rows+j] - column[rows-1-j])/2;
+	}
+}
+
+static void
+divide(const Plate *p, double a, double b, double c, int m, double *column)
+{
+	int n = 2*unknown_rows(p), j;
+	double norm = p->g.nu*(double)steps(p)/2, e;
+
+	for (j = 0; j < n; j++) {
 		e = p->eigenvalue[0][m] + p->eigenvalue[1][j];
 		column[j] /= norm*(e*(a*e + b) + c);
 	}
-	transform(p, column, work);
-	for (j = 0; j < rows; j++) {
-		if (has_re)
-			z[(size_t)j*nu + m] = (column[rows+j] + column[rows-1-j])/2;
-		if (has_im)
-			z[(size_t)j*nu + nu - m] = (column[rows+j] - column[rows-1-j])/2;
-	}
+}
+
+/* Solves for the columns number q and q+1 of all columns of the three fields; for the last alone if there is
+ * no other. */
+static void
+solve_columns(const Plate *p, double a, double b, double c, int q, double *z, double *work)
+{
+	size_t n = (size_t)p->g.nu*p->g.nv;
+	int columns = p->g.nu/2 + 1, last = q + 1 < 3*columns ? 1 : 0, l, at[2] = { q, q + last };
+	double *column[2] = { work, work + column_room(p) };
+
+	for (l = 0; l < 2; l++)
+		copy_in(p, at[l]%columns, z + at[l]/columns*n, column[l]);
+	transform_columns(p, column, work + front_room(p));
+	for (l = 0; l < 2; l++)
+		divide(p, a, b, c, at[l]%columns, column[l]);
+	transform_columns(p, column, work + front_room(p));
+	for (l = 0; l <= last; l++)
+		copy_out(p, at[l]%columns, column[l], z + at[l]/columns*n);
 }
 
 /* The constant c0 of plate.h.  The waves of one cycle in the doubled column are odd, so they are not
@@ -182,8 +222,8 @@ platefold_solve(const Plate *p, double a, double b, double c, double *z)
 
 		transform_rows(p, 0, z, work);
 #pragma omp for schedule(static)
-		for (q = 0; q < 3*columns; q++)
-			solve_column(p, a, b, c, q%columns, z + q/columns*n, work);
+		for (q = 0; q < 3*columns; q += 2)
+			solve_columns(p, a, b, c, q, z, work);
 		transform_rows(p, 1, z, work);
 	}
 }

@@ -24,6 +24,8 @@ transform_free(Transform *t)
 {
 	if (t->plan)
 		fftw_destroy_plan(t->plan);
+	if (t->pair)
+		fftw_destroy_plan(t->pair);
 	free(t->sines);
 	free(t->cosines);
 	memset(t, 0, sizeof *t);
