@@ -7,13 +7,19 @@ LIBDIR    = lib
 
 # ---- manual pages: man1 from --help and man/NAME.mdoc, the others by hand ----
 
-MAN1     := $(CMD:%=$(BUILD)/man/%.1)
+MAN1     := $(CMD:%=$(BUILD)/man/%.1) $(BUILD)/man/lhbatch.1
 
 man: $(MAN1)
 
-$(MAN1): $(BUILD)/man/%.1: $(BUILD)/bin/% man/%.mdoc man/lhgrid.7 scripts/manpage
+$(CMD:%=$(BUILD)/man/%.1): $(BUILD)/man/%.1: $(BUILD)/bin/% man/%.mdoc man/lhgrid.7 scripts/manpage
 	@mkdir -p $(@D)
 	scripts/manpage cmd/$*.c $< man/$*.mdoc >$@.new
+	mv $@.new $@
+
+# lhbatch asks lhinfo for its version.
+$(BUILD)/man/lhbatch.1: scripts/lhbatch $(BUILD)/bin/lhinfo man/lhbatch.mdoc man/lhgrid.7 scripts/manpage
+	@mkdir -p $(@D)
+	PATH="$(CURDIR)/$(BUILD)/bin:$$PATH" scripts/manpage $< $< man/lhbatch.mdoc >$@.new
 	mv $@.new $@
 
 # ---- liblhg: format/ alone, needs only zlib ----
@@ -38,7 +44,8 @@ $(BUILD)/$(LHGSO): $(LHGOBJ) format/lhg.map
 
 # ---- install ----
 
-SHARE    := scripts/lhg.py scripts/lhread.m scripts/lhread.R scripts/render.py scripts/raster.py
+SHARE    := scripts/lhg.py scripts/lhread.m scripts/lhread.R scripts/render.py scripts/raster.py \
+            scripts/batch.mk scripts/lhone scripts/lhreport scripts/Snakefile
 DOC      := README.md CHANGELOG.md LICENSE doc/tutorial.md doc/mathematics.md format/LHG.md
 EXAMPLES := examples/smooth.sh examples/morph.sh examples/lhgends.c
 BASHDIR  := share/bash-completion/completions
@@ -46,7 +53,7 @@ BASHDIR  := share/bash-completion/completions
 install: all man liblhg
 	mkdir -p $(addprefix $(ROOT)/,bin include $(LIBDIR)/pkgconfig share/lhgrid share/doc/lhgrid/examples \
 	    share/man/man1 share/man/man5 share/man/man7 $(BASHDIR) share/zsh/site-functions)
-	install -m 755 $(BIN) $(ROOT)/bin
+	install -m 755 $(BIN) scripts/lhbatch $(ROOT)/bin
 	install -m 644 format/lhg.h $(ROOT)/include
 	install -m 644 $(BUILD)/liblhg.a $(ROOT)/$(LIBDIR)
 	install -m 755 $(BUILD)/$(LHGSO) $(ROOT)/$(LIBDIR)
@@ -54,7 +61,7 @@ install: all man liblhg
 	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@VERSION@|$(VERSION)|' format/lhg.pc.in \
 	    >$(ROOT)/$(LIBDIR)/pkgconfig/lhg.pc
 	install -m 644 $(SHARE) $(ROOT)/share/lhgrid
-	chmod 755 $(ROOT)/share/lhgrid/render.py
+	chmod 755 $(addprefix $(ROOT)/share/lhgrid/,render.py lhone lhreport)
 	install -m 644 $(DOC) $(ROOT)/share/doc/lhgrid
 	install -m 644 format/LICENSE $(ROOT)/share/doc/lhgrid/LICENSE.MIT
 	install -m 644 $(EXAMPLES) $(ROOT)/share/doc/lhgrid/examples
@@ -66,7 +73,7 @@ install: all man liblhg
 	sed 's/@COMMANDS@/$(CMD)/' completion/_lhgrid >$(ROOT)/share/zsh/site-functions/_lhgrid
 
 uninstall:
-	rm -f $(addprefix $(ROOT)/,$(CMD:%=bin/%) $(CMD:%=share/man/man1/%.1) $(CMD:%=$(BASHDIR)/%) \
+	rm -f $(addprefix $(ROOT)/,$(CMD:%=bin/%) bin/lhbatch $(CMD:%=share/man/man1/%.1) share/man/man1/lhbatch.1 $(CMD:%=$(BASHDIR)/%) \
 	    $(BASHDIR)/lhgrid share/zsh/site-functions/_lhgrid share/man/man5/lhg.5 share/man/man7/lhgrid.7 \
 	    include/lhg.h $(addprefix $(LIBDIR)/,liblhg.a liblhg.so $(LHGSO) pkgconfig/lhg.pc))
 	rm -rf $(ROOT)/share/lhgrid $(ROOT)/share/doc/lhgrid
