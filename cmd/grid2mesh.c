@@ -26,6 +26,9 @@ static const char text[] =
 "                     shorter they are against its shortest waves (metadatum waves) [keep]\n"
 "      --filled=drop|keep  faces of MESH that mesh2disk marked as filling holes are left out, and\n"
 "                     the vertices that only they have; or kept [drop]\n"
+"      --keep=FILE    with --on: write FILE, the OBJ or PLY from which MESH was made, with only its\n"
+"                     vertices moved and normals computed again: texture coordinates, materials,\n"
+"                     groups, colours, other properties, polygons and order stay as they are\n"
 "      --with=NAMES   also write these channels of GRID, as lambda,H, at the vertices: as\n"
 "                     properties of PLY and point data of VTP; or alone, to FILE that ends in\n"
 "                     .shape.gii .func.gii (GIFTI) .curv .sulc .thickness (FreeSurfer, one channel);\n"
@@ -46,6 +49,7 @@ static const struct option longopt[] = {
 	{ "on",     required_argument, NULL, 'O' },
 	{ "detail", required_argument, NULL, 'd' },
 	{ "filled", required_argument, NULL, 'f' },
+	{ "keep",   required_argument, NULL, 'k' },
 	{ "with",   required_argument, NULL, 'w' },
 	{ "flip-sign", no_argument,    NULL, 'F' },
 	{ "seconds", required_argument, NULL, 's' },
@@ -84,7 +88,7 @@ main(int argc, char *argv[])
 {
 	static char usage[FORMATS_USAGE];
 	char path[4096], list[MESHFORMAT_LIST], *bytes;
-	const char *name, *on = NULL;
+	const char *name, *on = NULL, *keep = NULL;
 	OnMesh mesh = { 0 };
 	Fields fields = { NULL, 0 };
 	const FieldFormat *alone;
@@ -101,6 +105,7 @@ main(int argc, char *argv[])
 		switch (opt) {
 		case 'O': on = optarg; break;
 		case 'd': offsets = opt_word(optarg, "keep\0drop\0smooth\0", "detail"); break;
+		case 'k': keep = optarg; break;
 		case 'w': fields.names = optarg; break;
 		case 'F': fields.flip = 1; break;
 		case 's': seconds = opt_double(optarg, 1e-3, 1e6, "seconds"); break;
@@ -108,11 +113,15 @@ main(int argc, char *argv[])
 		}
 	if ((offsets >= 0 || filled >= 0) && !on)
 		misuse("--%s needs --on", offsets >= 0 ? "detail" : "filled");
+	if (keep && (!on || fields.names))
+		misuse("--keep needs --on, and excludes --with");
 	cmd_operands(argc, argv, 0, 1);
 	name = cmd_output();
 	alone = name ? fieldformat_of(name) : NULL;
 	if (!(format = name ? meshformat_of(name) : meshformat(0)) && !alone && !scene_is(name))
 		misuse("--output=%s: need a name that ends in %s", name, meshformat_ends(MESHFORMAT_WRITE, list));
+	if (keep && (alone || !format || !(format->can & MESHFORMAT_UV)))
+		misuse("--keep: need -o FILE that ends in %s", meshformat_ends(MESHFORMAT_UV, list));
 	check_with(&fields, scene_is(name) ? NULL : format, alone);
 	many = scene_is(name) || numbered(name);
 	if (on && !alone && !scene_is(name))
@@ -131,7 +140,9 @@ main(int argc, char *argv[])
 			lhg_free(&g);
 			continue;
 		}
-		if (alone)
+		if (keep)
+			gridfile_keep_bytes(&in, &g, &mesh, keep, format, &bytes, &n);
+		else if (alone)
 			gridfile_field_bytes(&in, &g, &mesh, &fields, alone, &bytes, &n);
 		else
 			gridfile_bytes(&in, &g, &mesh, &fields, format, &bytes, &n);
