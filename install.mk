@@ -44,7 +44,7 @@ $(BUILD)/$(LHGSO): $(LHGOBJ) format/lhg.map
 
 # ---- install ----
 
-SHARE    := scripts/lhg.py scripts/lhread.m scripts/lhread.R scripts/render.py scripts/raster.py \
+SHARE    := scripts/lhg.py scripts/lhread.m scripts/lhwrite.m scripts/lhread.R scripts/render.py scripts/raster.py \
             scripts/batch.mk scripts/lhone scripts/lhreport scripts/Snakefile
 DOC      := README.md CHANGELOG.md LICENSE doc/tutorial.md doc/mathematics.md format/LHG.md
 EXAMPLES := examples/smooth.sh examples/morph.sh examples/lhgends.c

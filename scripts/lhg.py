@@ -6,9 +6,13 @@
         print(g.nu, g.nv, g.T, g["x"].shape)    # the array of channel x, [nv][nu]
     lhg.write("copy.lhg", lhg.read("face.lhg"))
 
+    lhg.to_npy("face.lhg", "face")              # face/lambda.npy, face/H.npy, ...
+
     lhg.py FILE                                 # a summary; - is stdin
+    lhg.py --npy=FOLDER FILE                    # to_npy
 """
 import math
+import os
 import re
 import struct
 import sys
@@ -342,6 +346,35 @@ def write(file, grids):
             write_grids(f, grids)
 
 
+# ---- numpy's own files --------------------------------------------------------------
+
+def to_npy(file, folder):
+    """Writes folder/NAME.npy for each channel of a stream: the array of the channel, [nv][nu] or [n]; of a
+    stream of several grids, which must have equal channels, one array for all, [grid][nv][nu] or
+    [grid][n].  Chart, metadata and history stay behind.  Makes the folder.  Returns the paths; raises Error
+    or OSError, and then has changed no file."""
+    grids = list(read(file))
+    first = grids[0]
+    for g in grids:
+        if [(n, c.data.shape) for n, c in g.channels.items()] != [(n, c.data.shape) for n, c in first.channels.items()]:
+            raise Error("frame %d of %d has other channels than the first grid" % (g.frame, g.frames))
+    os.makedirs(folder, exist_ok=True)
+    paths = []
+    try:
+        for name in first.channels:
+            data = first[name] if len(grids) == 1 else np.stack([g[name] for g in grids])
+            paths.append(os.path.join(folder, name + ".npy"))
+            with open(paths[-1] + ".part", "wb") as f:
+                np.save(f, np.ascontiguousarray(data, "<f8"), allow_pickle=False)
+        for path in paths:
+            os.replace(path + ".part", path)
+    finally:
+        for path in paths:
+            if os.path.exists(path + ".part"):
+                os.remove(path + ".part")
+    return paths
+
+
 # ---- command ------------------------------------------------------------------------
 
 def summary(grid):
@@ -359,13 +392,18 @@ def summary(grid):
 
 
 def main(argv):
+    folder = argv.pop(1)[6:] if len(argv) == 3 and argv[1].startswith("--npy=") else None
     if len(argv) != 2 or argv[1] in ("-h", "--help"):
-        print("usage: lhg.py FILE", file=sys.stdout if len(argv) == 2 else sys.stderr)
+        print("usage: lhg.py [--npy=FOLDER] FILE", file=sys.stdout if len(argv) == 2 else sys.stderr)
         return 0 if len(argv) == 2 else 2
     name = "stdin" if argv[1] == "-" else argv[1]
+    file = sys.stdin.buffer if argv[1] == "-" else argv[1]
     sys.stdout.reconfigure(errors="backslashreplace")
     try:
-        for grid in read(sys.stdin.buffer if argv[1] == "-" else argv[1]):
+        if folder is not None:
+            to_npy(file, folder)
+            return 0
+        for grid in read(file):
             for line in summary(grid):
                 print(line)
         sys.stdout.flush()

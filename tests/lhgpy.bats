@@ -161,6 +161,36 @@ bad(lambda g: setattr(g.channels["band.H"], "unit", "a b"))
 	$lhg - <"$dir/c.lhg" >/dev/null
 }
 
+@test "to_npy: an array for each channel, stacked over the grids of a stream, complete or not at all" {
+	PATH=$PWD/$BUILD/bin:$PATH
+	mkmesh -n 200 cap | mesh2rect -q -n 9x8 | grid2lh -o "$dir/lh"
+	lhinterp -q -n 3 "$dir/lh" "$dir/lh" -o "$dir/three"
+	$lhg --npy="$dir/npy" "$dir/lh"
+	/usr/bin/python3 -B -c '
+import os, sys
+sys.path.insert(0, "scripts")
+import lhg, numpy as np
+d = sys.argv[1] + "/"
+g, = lhg.read(d + "lh")
+assert sorted(os.listdir(d + "npy")) == sorted(n + ".npy" for n in g.channels)
+for n in g.channels:
+    assert np.array_equal(np.load(d + "npy/" + n + ".npy"), g[n])
+paths = lhg.to_npy(d + "three", d + "npy")
+assert paths[0] == d + "npy/lambda.npy"
+a = np.load(paths[0])
+assert a.shape == (3, 9, 10) and np.array_equal(a[1], list(lhg.read(d + "three"))[1]["lambda"])
+lhg.to_npy(open(d + "lh", "rb"), d + "npy")
+' "$dir"
+	mesh2rect -q -n 9x8 <(mkmesh -n 200 cap) | cat "$dir/lh" - >"$dir/mixed"
+	cp -r "$dir/npy" "$dir/before"
+	run --separate-stderr $lhg --npy="$dir/npy" "$dir/mixed"
+	[ "$status" = 1 ]
+	[[ $stderr == *'frame 1 of 1 has other channels than the first grid' ]]
+	head -c 900 "$dir/lh" >"$dir/cut"
+	run -1 $lhg --npy="$dir/npy" "$dir/cut"
+	diff -r "$dir/npy" "$dir/before"
+}
+
 @test "the command names what is wrong" {
 	head -c 900 "$dir/c.lhg" >"$dir/cut"
 	: >"$dir/empty"

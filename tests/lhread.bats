@@ -1,4 +1,4 @@
-# lhread.bats - scripts/lhread.m and lhread.R read what scripts/lhg.py reads, to the last bit, and refuse
+# lhread.bats - scripts/lhwrite.m; scripts/lhread.m and lhread.R read what scripts/lhg.py reads, to the last bit, and refuse
 # what is damaged.  Each is tried where octave-cli or Rscript is there.
 
 load helper
@@ -50,6 +50,30 @@ refuse() {
 @test "Octave refuses what is damaged" {
 	command -v octave-cli >/dev/null || skip "no octave-cli"
 	refuse m octave tests/lhg/bad/*.lhg "$tmp"/cut-* "$tmp"/bit-*
+}
+
+@test "Octave writes what it has read, byte by byte" {
+	command -v octave-cli >/dev/null || skip "no octave-cli"
+	mkdir "$tmp/copies"
+	octave tests/lhread/copies.m scripts "$tmp/copies" tests/lhg/good/*.lhg "$tmp/larger" 2>"$tmp/err"
+	[ ! -s "$tmp/err" ] || { cat "$tmp/err"; false; }
+	for f in tests/lhg/good/*.lhg "$tmp/larger"; do
+		cmp "$f" "$tmp/copies/${f##*/}"
+	done
+}
+
+@test "lhwrite.m refuses what is no .lhg stream in one line, and leaves no file" {
+	command -v octave-cli >/dev/null || skip "no octave-cli"
+	mkdir "$tmp/refused"
+	mkmesh -n 200 cap | mesh2rect -q -n 8 >"$tmp/phi"
+	echo before >"$tmp/refused/to"
+	octave tests/lhread/refusals.m scripts "$tmp/phi" "$tmp/refused/to" >"$tmp/said" 2>"$tmp/err"
+	[ ! -s "$tmp/err" ] || { cat "$tmp/err"; false; }
+	[ "$(grep -c ': lhwrite: .' "$tmp/said")" = 15 ] || { cat "$tmp/said"; false; }
+	grep -qx 'defaults: 2 of 2, 0 meta' "$tmp/said"
+	[ "$(wc -l <"$tmp/said")" = 16 ]
+	[ "$(ls "$tmp/refused")" = to ]
+	lhinfo "$tmp/refused/to" >/dev/null
 }
 
 @test "R reads what Python reads" {
