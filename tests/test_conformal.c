@@ -3,8 +3,10 @@
 
 #include <math.h>
 
-#include "../lib/map/conformal.h"
+#include "../lib/base/stats.h"
 #include "../lib/grid/lambdah.h"
+#include "../lib/grid/stencil.h"
+#include "../lib/map/conformal.h"
 #include "../lib/map/corners.h"
 #include "disks.h"
 #include "synthdisk.h"
@@ -51,21 +53,93 @@ H_is_of_second_order(void **state)
 	assert_true(rms_H(16000, 101) < rms_H(4000, 50)/3.5);
 }
 
-enum { NU = 33, NODES = NU*NU };
+/* The grid of a cap of the unit sphere on a sock of about cells*cells nodes: the mean distance of all nodes
+ * from the sphere, and of those on the boundary from its circle; median and mean of |mu|. */
+typedef struct OnSphere {
+	double all, border, median, mean;
+} OnSphere;
+
+static double
+off_sphere(const Grid *a, size_t from, size_t to)
+{
+	double *const *x = a->phi, sum = 0;
+	size_t p;
+
+	for (p = from; p < to; p++)
+		sum += fabs(sqrt(x[0][p]*x[0][p] + x[1][p]*x[1][p] + x[2][p]*x[2][p]) - 1);
+	return sum/(double)(to - from);
+}
+
+static OnSphere
+sock_of_cap(int n, int cells)
+{
+	const ConformalOptions options = { .map = { 1e-3, 1, 300000 }, .surface = SAMPLER_SMOOTH, .polish = 12,
+		.cone = { -1, -1 }, .shape = 1 };
+	const Chart about = { cells, cells, 1, &CHART_SOCK };
+	double *mu;
+	int corner[4];
+	size_t nodes, inner;
+	OnSphere r;
+	Synth s;
+	SynthDomain dom;
+	SpdReport report;
+	Conformal c;
+	Chart g;
+	Disk d;
+
+	synth_disk("cap", n, &s, &dom, &d, NULL);
+	assert_true(corners_auto(&d, corner) >= 0);
+	assert_int_equal(conformal_grid(&d, corner, about, &options, &c, &report), 0);
+	g = c.grid.g;
+	nodes = (size_t)g.nu*g.nv;
+	assert_true(fabs(nodes/(double)(cells*cells) - 1) < 0.15 && g.nu%2 == 0);
+	assert_true(fabs(chart_h(g)/chart_k(g) - 1) < 0.1);
+	assert_int_equal(c.uv.turned, 0);
+	mu = malloc(nodes*sizeof *mu);
+	inner = stencil_inner_count(g);
+	beltrami(g, (const double *const *)c.grid.phi, mu);
+	r.mean = stats_mean(inner, mu);
+	r.median = stats_median(inner, mu);
+	r.all = off_sphere(&c.grid, 0, nodes);
+	r.border = off_sphere(&c.grid, nodes - g.nu, nodes);
+	free(mu);
+	conformal_free(&c);
+	disk_free(&d);
+	return r;
+}
+
+/* The nodes are near the sphere to fourth order in the mesh size, on the boundary to more than second; the
+ * grid is conformal to second order in its own steps. */
+static void
+a_cap_is_a_sock(void **state)
+{
+	OnSphere coarse = sock_of_cap(1000, 64), fine = sock_of_cap(4000, 64), finer = sock_of_cap(4000, 128);
+
+	(void)state;
+	assert_true(fine.all < coarse.all/10 && fine.all < 2e-7);
+	assert_true(fine.border < coarse.border/4.5 && fine.border < 3e-6);
+	assert_true(fine.median < 3e-4 && fine.mean < 3e-4);
+	assert_true(finer.median < fine.median/3 && finer.mean < fine.mean/2);
+}
+
+/* A rectangle and a sock of that many nodes. */
+static const Chart CHART[] = { { 33, 33, 1, &CHART_RECTANGLE }, { 32, 34, 1, &CHART_SOCK } };
+enum { NU = 33 };
 
 static void
-grid_of(const Disk *d, const int vertex[4], Conformal *c)
+grid_of(const Disk *d, const int vertex[4], Chart g, Conformal *c)
 {
-	const ConformalOptions options = { .map = { 1e-2, 1, 300000 }, .surface = SAMPLER_SMOOTH, .polish = 12 };
+	const ConformalOptions options = { .map = { 1e-2, 1, 300000 }, .surface = SAMPLER_SMOOTH, .polish = 12,
+		.cone = { -1, -1 } };
 	SpdReport report;
 	int corner[4], at;
 
 	assert_int_equal(corners_given(d, vertex, corner, &at), 0);
-	assert_int_equal(conformal_grid(d, corner, (Chart){ NU, NU, 1, &CHART_RECTANGLE }, &options, c, &report), 0);
+	assert_int_equal(conformal_grid(d, corner, g, &options, c, &report), 0);
 }
 
-/* A disk with its vertices and faces in another order has the same grid, and its vertices the same
- * places, to the last bit. */
+/* A disk with its vertices and faces in another order has the same grid and the same cones, and its vertices
+ * the same places, to the last bit. */
 static void
 numbering_does_not_matter(void **state)
 {
@@ -73,8 +147,9 @@ numbering_does_not_matter(void **state)
 	int done = 0, i, k;
 
 	(void)state;
-	for (seed = 304; done < 5; seed++) {
+	for (seed = 304; done < 6; seed++) {
 		char tag[DISKS_TAG];
+		const Chart g = CHART[done%2];
 		Disk d, other, both;
 		Conformal a, b;
 		int *number, corner[4], vertex[2][4];
@@ -87,11 +162,13 @@ numbering_does_not_matter(void **state)
 		assert_true(corners_auto(&d, corner) >= 0);
 		for (k = 0; k < 4; k++)
 			vertex[1][k] = number[vertex[0][k] = d.loop[corner[k]]];
-		grid_of(&d, vertex[0], &a);
-		grid_of(&both, vertex[1], &b);
+		grid_of(&d, vertex[0], g, &a);
+		grid_of(&both, vertex[1], g, &b);
 		assert_true(a.grid.g.T == b.grid.g.T);
 		for (k = 0; k < 3; k++)
-			assert_memory_equal(a.grid.phi[k], b.grid.phi[k], NODES*sizeof(double));
+			assert_memory_equal(a.grid.phi[k], b.grid.phi[k], (size_t)g.nu*g.nv*sizeof(double));
+		for (k = 0; k < 2 && g.kind->folded; k++)
+			assert_int_equal(number[a.cone[k]], b.cone[k]);
 		for (i = 0; i < d.m.nv; i++)
 			assert_true(a.u[i] == b.u[number[i]] && a.v[i] == b.v[number[i]]);
 		conformal_free(&a);
@@ -135,7 +212,7 @@ bad_start_is_polished_in_one_way(void **state)
 	(void)state;
 	for (k = 0; k < 3; k++) {
 		halves(angle[k], &d);
-		grid_of(&d, vertex[k], &c[k]);
+		grid_of(&d, vertex[k], CHART[0], &c[k]);
 		disk_free(&d);
 	}
 	assert_true(c[0].polished > 0);
@@ -157,6 +234,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(H_is_of_second_order),
+		cmocka_unit_test(a_cap_is_a_sock),
 		cmocka_unit_test(numbering_does_not_matter),
 		cmocka_unit_test(bad_start_is_polished_in_one_way),
 	};
