@@ -18,6 +18,7 @@
 #include "mesh2rect/loss.h"
 #include "mesh2rect/quality.h"
 #include "mesh2rect/uvopt.h"
+#include "mesh2rect/withopt.h"
 
 static const char text[] =
 "usage: mesh2rect [OPTIONS] [MESH] >grid.lhg\n"
@@ -60,16 +61,17 @@ static const char text[] =
 "                     flat near triangles that straight edges in the chart turn over\n"
 "      --polish=N     at most N rounds that map the grid by its own metric, each kept only if\n"
 "                     the grid becomes more conformal, 0..100 [12]\n"
+"      --with=FILE[,FILE..]  also numbers at the vertices of MESH, as channels: FreeSurfer's curv,\n"
+"                     sulc, thickness.. or GIFTI .shape.gii; one for each vertex, in its order\n"
 "      --uv=FILE      write the mesh, with its (u,v) and offsets from the grid, to FILE {uv ends}:\n"
 "                     for textures, and grid2mesh --on; vertices of no face get -1,-1;\n"
 "                     no triangle is turned over, else noted; FILE is neither MESH nor output\n"
 CMD_USAGE
 "With --split of 1 or more the error of H on smooth surfaces is of second order in the mesh\n"
 "size; a mesh of more than a quarter of --max-vertices is not split, and the order is one.\n"
-"With --surface=facets H is concentrated on the edges, and does not converge.\n"
 "Example: mesh2rect --uv=face-uv.ply face.ply | grid2lh -o face.lhg\n";
 
-enum { FLIP = 256, CHART, CONES, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, LIKE, REVERSED, MAX_CELLS,
+enum { FLIP = 256, CHART, CONES, WITH, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, LIKE, REVERSED, MAX_CELLS,
 	UV = CMD_UNRECORDED, MAX_LOSS };
 
 enum { AUTO = 2 };                      /* of --chart, after the charts of lhg.h */
@@ -91,6 +93,7 @@ static const struct option longopt[] = {
 	{ "max-cells",    required_argument, NULL, MAX_CELLS },
 	{ "max-loss",     required_argument, NULL, MAX_LOSS },
 	{ "uv",           required_argument, NULL, UV },
+	{ "with",         required_argument, NULL, WITH },
 	CMD_LONGOPT
 };
 
@@ -250,8 +253,8 @@ keep_facts(Soup *s)
 int
 main(int argc, char *argv[])
 {
-	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0, 1024, { -1, -1 }, 0, 1 };
-	const char *corners = NULL, *cones = NULL, *like = NULL, *uv = NULL;
+	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0, 1024, 0, NULL, { -1, -1 }, 0, 1 };
+	const char *corners = NULL, *cones = NULL, *like = NULL, *uv = NULL, *with = NULL;
 	Chart g = { 257, 257, 1, &CHART_RECTANGLE };
 	int opt, corner[4], kind = LHG_RECTANGLE, flip = 0, reversed = 0;
 	double apart, most_lost = 0.5;
@@ -279,6 +282,7 @@ main(int argc, char *argv[])
 		case MAX_CELLS: options.most = opt_long(optarg, 4, LHG_MAXN - 1, "max-cells"); break;
 		case MAX_LOSS: most_lost = opt_double(optarg, 0, 1, "max-loss"); break;
 		case UV: uv = optarg; break;
+		case WITH: with = optarg; break;
 		}
 	cmd_operands(argc, argv, 0, 1);
 	check_like(kind, corners, like, reversed);
@@ -287,6 +291,8 @@ main(int argc, char *argv[])
 		opt_uv(uv, argv[optind]);
 	cmd_binary_output();
 	load_soup_loose(argv[optind], &s);
+	if (with)
+		with_read(with, &s);
 	load_disk(cmd_name_of(argv[optind]), &s, &d);
 	if (!uv)
 		keep_facts(&s);
@@ -296,11 +302,15 @@ main(int argc, char *argv[])
 	apart = choose_corners(corners, kind == LHG_SOCK ? NULL : like, reversed, &d, corner);
 	opt_cones(cones, &d, options.cone);
 	claim_map(cmd_name_of(argv[optind]), &d, g, &options);
+	if (with)
+		with_fields(&d, &options);
 	map_disk(&d, corner, g, &options, &c);
 	if (like && kind == LHG_SOCK)
 		apart = likesock_turn(like, d.m.nv, &c);
 
 	begin_output(&out, &c.grid);
+	if (with)
+		with_write(&d, &c, &out);
 	quality_meta(&out, &d, corner, apart, &c);
 	if (out.chart == LHG_SOCK)
 		cones_meta(&out, &d, &c);
@@ -313,6 +323,7 @@ main(int argc, char *argv[])
 		uv_write(uv, &s, &d, c.u, c.v, c.grid.g, (const double *const *)c.grid.phi);
 	cmd_write(&out);
 
+	free((void *)options.field);
 	soup_free(&s);
 	lhg_free(&out);
 	conformal_free(&c);

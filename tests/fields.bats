@@ -87,6 +87,30 @@ assert list(v.dtype.names) == ["x", "y", "z", "H", "lambda"]'
 	[ ! -e "$tmp/no.curv" ] && [ ! -e "$tmp/no.ply" ]
 }
 
+@test "numbers of the mesh become channels, are filtered, and come back to the vertices" {
+	grid2mesh --on "$tmp/uv.ply" --with=H "$tmp/lh" -o "$tmp/torus.curv"
+	grid2mesh --on "$tmp/uv.ply" --with=lambda "$tmp/lh" -o "$tmp/lh.depth.shape.gii"
+	for chart in rectangle sock; do
+		mesh2rect -q --chart=$chart -n 64 --uv="$tmp/w.ply" --with="$tmp/torus.curv,$tmp/lh.depth.shape.gii" \
+			"$tmp/torus.off" -o "$tmp/with"
+		grid2mesh --on "$tmp/w.ply" --with=torus,lambda "$tmp/with" -o "$tmp/back.ply"
+		grid2mesh --on "$tmp/uv.ply" --with=H,lambda "$tmp/lh" -o "$tmp/want.ply"
+		py '
+a, b = ply("back.ply"), ply("want.ply")
+for x, y in ("torus", "H"), ("lambda", "lambda"):
+    e = abs(a[x] - b[y])
+    assert np.median(e) < 2e-3*np.ptp(b[y]), (x, np.median(e), np.ptp(b[y]))'
+	done
+	grid2lh "$tmp/with" 2>/dev/null | lhinfo | grep -q 'channel torus'
+	mesh2rect -q --surface=facets -n 32 --with="$tmp/torus.curv" "$tmp/torus.off" | lhinfo | grep -q 'channel torus'
+	mkmesh -n 50 cap -o "$tmp/cap.off"
+	try 1 'numbers, the mesh has .* vertices' /dev/null mesh2rect --with="$tmp/torus.curv" "$tmp/cap.off"
+	try 1 'neither a FreeSurfer' /dev/null mesh2rect --with="$tmp/cap.off" "$tmp/cap.off"
+	try 1 'a second channel torus' /dev/null mesh2rect --with="$tmp/torus.curv,$tmp/torus.curv" "$tmp/torus.off"
+	head -c 3000 "$tmp/torus.curv" >"$tmp/cut.curv"
+	try 1 'values' /dev/null mesh2rect --with="$tmp/cut.curv" "$tmp/torus.off"
+}
+
 @test "nibabel reads the fields and surfaces" {
 	/usr/bin/python3 -c 'import nibabel' 2>/dev/null || skip "no nibabel"
 	grid2mesh --on "$tmp/uv.ply" --with=lambda,H "$tmp/lh" -o "$tmp/z.ply"

@@ -26,6 +26,7 @@ typedef struct Sampling {
 	double         enough;
 	const ConformalOptions *options;
 	ChartMap       map;
+	const Subdivision *mesh;        /* of the solve */
 } Sampling;
 
 /* The numbers of nodes along u and v: those of g, or on a sock as many together, in cells about square, and
@@ -113,12 +114,54 @@ turned_on_sheets(const Disk *d, const double *u, const double *v)
 	return n;
 }
 
+/* Samples field k at the nodes of the finished grid.  x, y: their points of the rectangle. */
+static int
+sample_field(const Sampling *m, int k, const double *x, const double *y, Conformal *c)
+{
+	size_t nodes = (size_t)c->grid.g.nu*c->grid.g.nv;
+	const double *f = m->options->field[k];
+	double *all = NULL;
+	Channel channel = { .n = 1 };
+	int e = SPD_ENOMEM;
+
+	if (m->s->l.m->nv > m->d->m.nv && (all = malloc(m->s->l.m->nv*sizeof *all)))
+		subdivision_extend(m->mesh, 1, f, all);
+	channel.f = all ? all : (double *)f;
+	c->field[k] = malloc(nodes*sizeof(double));
+	if (c->field[k] && (all || m->s->l.m->nv == m->d->m.nv))
+		e = sampler_channel(m->s, &channel, c->grid.g, x, y, &c->field[k]) ? SPD_ENOMEM : 0;
+	free(all);
+	return e;
+}
+
+static int
+sample_fields(const Sampling *m, Conformal *c)
+{
+	int n = c->grid.g.nu*c->grid.g.nv, p, k, e = 0;
+	double *x;
+
+	if (!m->options->fields)
+		return 0;
+	x = malloc(2*(size_t)n*sizeof *x);
+	c->field = calloc(m->options->fields, sizeof *c->field);
+	c->fields = c->field ? m->options->fields : 0;
+	for (p = 0; x && p < n; p++)
+		chartmap_point(&m->map, c->grid.x[p], c->grid.y[p], &x[p], &x[n+p]);
+	for (k = 0; x && !e && k < c->fields; k++)
+		e = sample_field(m, k, x, x + n, c);
+	e = !x || !c->field ? SPD_ENOMEM : e;
+	free(x);
+	return e;
+}
+
 static int
 sample_map(const Sampling *m, const int corner[4], Chart g, Conformal *c)
 {
 	int e, less;
 
 	e = m->options->keep > 0 ? sample_enough(m, g, c) : sample_and_polish(m, g, 0, c, &less);
+	if (!e)
+		e = sample_fields(m, c);
 	if (!e && g.kind->folded)
 		c->uv.turned = turned_on_sheets(m->d, c->u, c->v);
 	else if (!e)
@@ -216,7 +259,8 @@ sample(const Disk *d, const int corner[4], const Solved *m, Chart g, const Confo
 {
 	int smooth = options->surface == SAMPLER_SMOOTH, e;
 	Sampler s;
-	Sampling at = { .s = &s, .d = d, .u = m->u, .v = m->v, .enough = m->enough, .options = options };
+	Sampling at = { .s = &s, .d = d, .u = m->u, .v = m->v, .enough = m->enough, .options = options,
+	    .mesh = m->mesh };
 
 	if (sampler_init(&s, smooth ? d : &m->mesh->d, m->u, m->v, m->T, options->surface))
 		return SPD_ENOMEM;
@@ -392,6 +436,25 @@ restore(const Disk *d, const Traversal *t, const double offset[3], Conformal *c)
 	return 0;
 }
 
+/* The fields of the options in the order of the vertices of the traversal: pointers and numbers in one piece, to be
+ * freed. */
+static double **
+order_fields(const Traversal *t, const ConformalOptions *o)
+{
+	size_t nv = t->d.m.nv, n = o->fields;
+	double **field = malloc((n + 1)*sizeof *field + n*nv*sizeof(double)), *f;
+	size_t k, i;
+
+	if (!field)
+		return NULL;
+	for (f = (double *)(field + n + 1), k = 0; k < n; k++, f += nv) {
+		field[k] = f;
+		for (i = 0; i < nv; i++)
+			f[t->number[i]] = o->field[k][i];
+	}
+	return field;
+}
+
 /* Points are added on edges; far from the origin, rounding of their coordinates would bend the
  * surface.  So the surface is mapped near the origin.  Ties are broken in favour of lower numbers, and
  * sums are rounded in the order of the numbers.  So the vertices and faces are first renumbered in a
@@ -402,21 +465,24 @@ conformal_grid(const Disk *d, const int corner[4], Chart g, const ConformalOptio
 {
 	ConformalOptions o = *options;
 	Traversal near;
-	double offset[3];
+	double offset[3], **field;
 	int to[4], k, e = normalize(d, corner, &near, to, offset);
 
 	memset(c, 0, sizeof *c);
 	if (e)
 		return e;
+	field = order_fields(&near, options);
+	o.field = (const double *const *)field;
 	for (k = 0; k < 2; k++)
 		o.cone[k] = o.cone[k] < 0 ? -1 : near.number[o.cone[k]];
 	c->u = malloc(d->m.nv*sizeof *c->u);
 	c->v = malloc(d->m.nv*sizeof *c->v);
-	e = c->u && c->v ? map_and_sample(&near.d, to, g, &o, c, report) : SPD_ENOMEM;
+	e = c->u && c->v && field ? map_and_sample(&near.d, to, g, &o, c, report) : SPD_ENOMEM;
 	if (!e)
 		e = restore(d, &near, offset, c);
 	else if (e == SPD_EINDEFINITE)
 		report->column = given_number(&near, report->column);
+	free(field);
 	traversal_free(&near);
 	if (e)
 		conformal_free(c);
@@ -426,8 +492,15 @@ conformal_grid(const Disk *d, const int corner[4], Chart g, const ConformalOptio
 void
 conformal_free(Conformal *c)
 {
+	int k;
+
 	grid_free(&c->grid);
 	free(c->u);
 	free(c->v);
+	for (k = 0; k < c->fields; k++)
+		free(c->field[k]);
+	free(c->field);
 	c->u = c->v = NULL;
+	c->field = NULL;
+	c->fields = 0;
 }

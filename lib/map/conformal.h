@@ -22,6 +22,8 @@ typedef struct ConformalOptions {
 	double keep;            /* > 0: take the fewest cells of conformal_cells, equally many along
 	                         * u and v, whose grid keeps this share of the area of the disk */
 	int    most;            /* if keep > 0: largest number of cells along u and v, >= 4 */
+	int    fields;          /* numbers at the vertices of d to sample on the grid */
+	const double *const *field;     /* [fields][nv] */
 	int    cone[2];         /* vertices that become the cones of a sock; -1: cones_choose */
 	int    choose;          /* 1: take the sock in place of the given rectangle if it is clearly better */
 	int    shape;           /* 1: take the number of nodes of the given grid, but on a sock choose nu and
@@ -42,6 +44,8 @@ typedef struct Conformal {
 	Untangled uv;           /* how turned triangles of the disk were turned back (untangle.h) */
 	int     polished;       /* rounds of polishing that were kept */
 	int     cone[2];        /* vertices that are the cones of a sock, or were chosen for one */
+	double **field;         /* [options->fields][g.nv][g.nu] the fields at the nodes */
+	int     fields;
 	double  chi2[2];        /* of the rectangle; and of the sock with these cones, or 0 if that cannot
 	                         * be much better (cones.h) */
 } Conformal;

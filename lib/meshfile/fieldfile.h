@@ -30,6 +30,11 @@ char *fieldformat_ends(char buf[FIELDFORMAT_LIST]);
  * there is nothing to free.  Returns 0 or MESH_ENOMEM. */
 int fieldfile_write(const Channels *c, int nv, int nf, const FieldFormat *format, char **bytes, size_t *n);
 
+/* Reads the channels of a FreeSurfer curvature file (named `name`) or a GIFTI file (named by their metadatum Name, or
+ * name, name_1 ..), *nv numbers each, to be freed.  Returns 0; or MESH_ENOMEM, MESH_EFORMAT, or MESH_EVALUE if a
+ * number is not finite, with the reason in err and nothing to free. */
+int fieldfile_parse(const char *bytes, size_t n, const char *name, Channels *c, int *nv, char err[MESH_ERRLEN]);
+
 /* The writers: giftiwrite.c, fswrite.c. */
 int giftifields_write(struct Text *t, const Channels *c, int nv, int nf);
 int fscurv_write(struct Text *t, const Channels *c, int nv, int nf);
