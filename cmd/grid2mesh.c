@@ -135,7 +135,6 @@ main(int argc, char *argv[])
 			gridfile_read_mesh(on, offsets, filled > 0, &mesh); /* once mesh2rect has written it */
 		if (scene_is(name)) {
 			scene_add(&scene, &in, &g, &mesh, &fields);
-			fields.names = NULL;    /* the first surface has the colours */
 			i++;
 			lhg_free(&g);
 			continue;

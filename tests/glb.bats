@@ -53,6 +53,14 @@ setup_file() {
 	EOF
 }
 
+@test "a stream with lambda and H: the place is the surface of every frame, coloured by the first" {
+	grid2lh "$tmp/morph" -o "$tmp/morph.lh"
+	grid2mesh --with=H "$tmp/morph.lh" -o "$tmp/h.glb"
+	below "$(error_of "$tmp/frame/1.off" "$tmp/h.glb" max_rel)" 1e-6
+	grep -aq '"COLOR_0":1' "$tmp/h.glb"
+	[ "$(grep -ao '"targets":.*"weights":\[[0,]*\]' "$tmp/h.glb" | grep -o POSITION | wc -l)" = 3 ]
+}
+
 @test "colours of a channel; equal bytes; what does not fit is refused" {
 	grid2mesh --with=H "$tmp/a" -o "$tmp/c.glb"
 	grep -aq '"COLOR_0":1' "$tmp/c.glb"
