@@ -127,7 +127,7 @@ for line in open(sys.argv[1]):
 }
 
 @test "operands too many or too few exit 2" {
-	for c in mesh2disk mesh2rect grid2lh lh2grid grid2mesh lh2png; do
+	for c in mesh2disk mesh2rect grid2lh lh2grid grid2mesh lh2png grid2html; do
 		try 2 'operand two is one too many' /dev/null $c one two
 	done
 	try 2 'operand two is one too many' /dev/null lhfft -K 1 one two
@@ -139,12 +139,12 @@ for line in open(sys.argv[1]):
 
 @test "a missing file, a directory, empty input and input of another kind exit 1" {
 	local c
-	for c in mesh2disk mesh2rect grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo lh2png; do
+	for c in mesh2disk mesh2rect grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo lh2png grid2html; do
 		try 1 'nosuch: No such file'             /dev/null $c "$tmp/nosuch"
 		try 1 'Is a directory'                   /dev/null $c "$tmp"
 		try 1 'stdin: empty input'               /dev/null $c
 	done
-	for c in grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo lh2png; do
+	for c in grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo lh2png grid2html; do
 		try 1 'stdin: input is not an lhg stream: of a mesh, run mesh2rect first$' "$tmp/cap.off" $c
 	done
 	try 1 'stdin: .*lhg'                             "$tmp/phi" mesh2rect

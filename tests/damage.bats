@@ -7,6 +7,7 @@ load helper
 
 setup_file() {
 	load helper
+	three_js
 	mkmesh -n 60 cap -o "$tmp/cap.ply"
 	mesh2rect -n 4 "$tmp/cap.ply" -o "$tmp/phi"
 	grid2lh --no-lattice "$tmp/phi" -o "$tmp/lh"
@@ -26,6 +27,10 @@ damage() {
 @test "lh2grid"   { damage cut "$tmp/lh" lh2grid;     damage change "$tmp/lh" lh2grid; }
 @test "lhinterp"  { damage cut "$tmp/lh" lhinterp -t 0 - "$tmp/lh"; }
 @test "lh2png"    { damage cut "$tmp/lh" lh2png --bare --size=1; damage change "$tmp/lh" lh2png --bare --size=1; }
+@test "grid2html" {
+	damage cut "$tmp/phi" grid2html --three="$tmp/three"
+	damage change "$tmp/phi" grid2html --three="$tmp/three"
+}
 @test "lhinfo"    { damage cut "$tmp/lh" lhinfo;      damage change "$tmp/lh" lhinfo; }
 @test "lhdiff"    { damage cut "$tmp/phi" lhdiff "$tmp/phi" -; damage change "$tmp/phi" lhdiff "$tmp/phi" -; }
 @test "mesh2rect" { damage cut "$tmp/cap.ply" mesh2rect -n 4; }

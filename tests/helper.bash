@@ -33,6 +33,13 @@ try() {
 	fi
 }
 
+# three_js: makes the folder $tmp/three for grid2html, with scripts in place of three.js that do nothing.
+three_js() {
+	mkdir -p "$tmp/three/examples/js/controls"
+	echo '// three' >"$tmp/three/three.min.js"
+	echo '// controls' >"$tmp/three/examples/js/controls/OrbitControls.js"
+}
+
 complain() {
 	echo "$1"
 	head -c 2000 "$tmp/err"

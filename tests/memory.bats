@@ -6,6 +6,7 @@ load helper
 
 setup_file() {
 	load helper
+	three_js
 	export OMP_NUM_THREADS=1
 	for e in off obj ply stl; do
 		mkmesh -n 60 cap -o "$tmp/cap.$e"
@@ -46,7 +47,11 @@ share=4
 @test "lhinterp"  { short_of $share lhinterp -t 0.5 "$tmp/lh" "$tmp/lh"; }
 @test "lhinfo"    { short_of $share lhinfo "$tmp/lh"; short_of $share lhinfo --json "$tmp/lh"; }
 @test "lh2png"    { short_of $share lh2png "$tmp/lh"; short_of $share lh2png -c all "$tmp/lh"; }
+@test "grid2html" {
+	short_of $share grid2html --three="$tmp/three" --colours="$tmp/lh" --beside="$tmp/phi" --distance "$tmp/phi"
+}
 @test "grid2mesh" { short_of $share grid2mesh "$tmp/phi"; short_of $share grid2mesh --on="$tmp/uv.ply" "$tmp/phi"; }
+@test "grid2mesh, glTF" { touch "$tmp/x.glb"; short_of $share grid2mesh --with=H "$tmp/lh" -o "$tmp/x.glb"; }
 
 @test "lh2grid" {
 	short_of $share lh2grid "$tmp/all"

@@ -4,6 +4,7 @@ load helper
 
 setup_file() {
 	load helper
+	three_js
 	mkmesh -n 200 cap -o "$tmp/cap.off"
 	mesh2rect -n 16 "$tmp/cap.off" -o "$tmp/phi"
 	grid2lh "$tmp/phi" -o "$tmp/lh"
@@ -112,7 +113,7 @@ setup_file() {
 	local c
 	for c in "mesh2disk $tmp/cap.off" "mesh2rect -q -n 8 $tmp/cap.off" "grid2lh $tmp/phi" "lhfft -K 1 $tmp/lh" "lh2grid $tmp/lh" \
 	    "grid2mesh $tmp/phi" "lhinterp -t 0.5 $tmp/lh $tmp/lh" "lhinfo $tmp/lh" \
-	    "lhdiff $tmp/phi $tmp/phi" "lh2png $tmp/phi" "mkmesh -n 100 cap" "mkmesh --help" "lhfft --version"; do
+	    "lhdiff $tmp/phi $tmp/phi" "lh2png $tmp/phi" "grid2html --three=$tmp/three $tmp/phi" "mkmesh -n 100 cap" "mkmesh --help" "lhfft --version"; do
 		code=0
 		$c >/dev/full 2>"$tmp/err" || code=$?
 		[ $code = 1 ] || { echo "$c: exit $code"; return 1; }
@@ -146,14 +147,14 @@ setup_file() {
 	local c
 	for c in "mesh2disk $tmp/cap.off" "mesh2rect -q -n 8 $tmp/cap.off" "grid2lh $tmp/phi" "lhfft -K 1 $tmp/lh" "lh2grid $tmp/lh" \
 	    "grid2mesh $tmp/phi" "lhinterp -t 0.5 $tmp/lh $tmp/lh" "lhinfo $tmp/lh" \
-	    "lhdiff $tmp/phi $tmp/phi" "lh2png $tmp/phi" "mkmesh -n 100 cap" "mkmesh --help" "lhfft --version"; do
+	    "lhdiff $tmp/phi $tmp/phi" "lh2png $tmp/phi" "grid2html --three=$tmp/three $tmp/phi" "mkmesh -n 100 cap" "mkmesh --help" "lhfft --version"; do
 		code=0
 		$c >&- 2>"$tmp/err" || code=$?
 		[ $code = 1 ] || { echo "$c: exit $code"; return 1; }
 		[ "$(wc -l <"$tmp/err")" = 1 ]
 		grep -q ': stdout: .*Bad file descriptor$' "$tmp/err" || { echo "$c"; return 1; }
 	done
-	for c in mesh2disk mesh2rect grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo lh2png; do
+	for c in mesh2disk mesh2rect grid2lh 'lhfft -K 1' lh2grid grid2mesh lhinfo lh2png grid2html; do
 		code=0
 		$c <&- >"$tmp/out" 2>"$tmp/err" || code=$?
 		[ $code = 1 ]

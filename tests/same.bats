@@ -5,6 +5,7 @@ load helper
 
 setup_file() {
 	load helper
+	three_js
 	cd "$tmp"
 	mkmesh -n 3000 face -o face.off
 	mesh2rect -n 96 --uv=uv.ply face.off -o phi     # so many nodes that sums use several threads
@@ -47,6 +48,7 @@ same() {
 	same lh2grid --no-place sock.lh
 }
 @test "lh2png"    { same lh2png -v phi; same lh2png -c all lh; }
+@test "grid2html" { same grid2html --three="$tmp/three" --colours=lh --beside=phi --distance phi; }
 @test "lhinfo"    { same lhinfo phi lh; same lhinfo --json lh; }
 @test "lhdiff"    { same lhdiff --no-self-intersections phi face.off; same lhdiff --json phi phi; }
 
