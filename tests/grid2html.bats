@@ -2,6 +2,12 @@
 
 load helper
 
+# What the page is made to do: a drag with the mouse from (200,200) to (320,210), and turns of the wheel.
+drag="const c = renderer.domElement, e = (t, x, y) => [c, document].forEach(o => o.dispatchEvent(
+	new MouseEvent(t, { clientX: x, clientY: y, button: 0 })));
+	e('mousedown', 200, 200); e('mousemove', 320, 210); e('mouseup', 320, 210);"
+wheel="for (let i = 0; i < 8; i++) renderer.domElement.dispatchEvent(new WheelEvent('wheel', { deltaY: -100 }));"
+
 setup_file() {
 	load helper
 	mkmesh -n 500 face -o "$tmp/a.off"
@@ -72,11 +78,15 @@ shot() {
 	command -v chromium >/dev/null || skip "no chromium"
 	grid2html --colours="$tmp/lh" -c H "$tmp/morph" -o "$tmp/page.html"
 	shot start.png ''
-	shot turned.png "const c = renderer.domElement, e = (t, x, y) => [c, document].forEach(o => o.dispatchEvent(
-		new MouseEvent(t, { clientX: x, clientY: y, button: 0 })));
-		e('mousedown', 200, 200); e('mousemove', 320, 210); e('mouseup', 320, 210);"
+	shot turned.png "$drag"
+	shot near.png "$wheel"
 	shot last.png "const s = document.getElementById('frame'); s.value = 3; s.dispatchEvent(new Event('input'));"
 	shot lambda.png "const s = document.getElementById('field'); s.value = 'lambda'; s.dispatchEvent(new Event('change'));"
+	awk 'NR > 2 && NF == 3 { $1 += 50 } { print }' "$tmp/a.off" >"$tmp/moved.off"
+	mesh2rect -q -n 24 "$tmp/moved.off" -o "$tmp/moved"
+	grid2html --beside="$tmp/moved" "$tmp/morph" -o "$tmp/page.html"
+	shot two.png ''
+	shot two-turned.png "$drag"
 	/usr/bin/python3 - "$tmp" <<-'EOF'
 		import struct, sys, zlib
 		import numpy as np
@@ -100,11 +110,18 @@ shot() {
 		            pick = min((abs(p-l), 0, l), (abs(p-up[x]), 1, up[x]), (abs(p-ul), 2, ul))[2]
 		            out[y, x] = line[x] + {0: 0, 1: l, 3: (l + up[x])//2, 4: pick}[f] & 255
 		    return out.reshape(h, w, c)[:340, :, :3]
-		a, turned, last, other = (read("%s/%s.png" % (sys.argv[1], n)) for n in ("start", "turned", "last", "lambda"))
+		a, turned, near, last, other, two, both = (read("%s/%s.png" % (sys.argv[1], n)) for n in
+		    ("start", "turned", "near", "last", "lambda", "two", "two-turned"))
 		body = lambda p: (p.min(2) < 250)
 		assert .05 < body(a).mean() < .9, body(a).mean()                # a surface on white
 		changed = lambda p, q: (abs(p - q).max(2) > 24).mean()
 		assert changed(a, turned) > .03 and changed(a, last) > .01 and changed(a, other) > .03
 		assert (body(a) == body(other)).mean() > .99                    # the same outline in other colours
+		assert body(near).mean() > 1.3*body(a).mean()
+		half = lambda p: (p[30:, :300], p[30:, 300:])                   # below the names
+		for p in two, both:
+		    l, r = half(p)
+		    assert body(l).mean() > .05 and (body(l) == body(r)).mean() > .98      # though one lies elsewhere
+		assert all(changed(p, q) > .03 for p, q in zip(half(two), half(both)))
 	EOF
 }
