@@ -17,6 +17,7 @@
 #include "../lib/scales/filter.h"
 #include "../lib/surface/frame.h"
 #include "../lib/grid/gridmesh.h"
+#include "../lib/meshfile/glb.h"
 #include "../lib/meshfile/meshfile.h"
 #include "../lib/surface/surface.h"
 #include "../lib/synth/synth.h"
@@ -304,6 +305,31 @@ begin(void **state)
 	    disk_from_soup(&disk, &s) || corners_auto(&disk, corner) || (free(bytes), soup_free(&s), 0);
 }
 
+/* Two frames of a square. */
+static int
+to_glb(int colours)
+{
+	static float place[3*4] = { 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0 };
+	static const int tri[6] = { 0, 1, 2, 0, 2, 3 };
+	static const unsigned short white[16] = { 65535, 65535, 65535, 65535 };
+	float *const xyz[2] = { place, place };
+	const Glb g = { 4, 2, tri, 2, xyz, colours ? white : NULL, 1 };
+	char *bytes = NULL;
+	size_t n;
+	int e = glb_write(&g, &bytes, &n);
+
+	free(bytes);
+	return e;
+}
+
+static void
+glb(void **state)
+{
+	(void)state;
+	refuse_each(to_glb, 0);
+	refuse_each(to_glb, 1);
+}
+
 static int
 end(void **state)
 {
@@ -317,7 +343,7 @@ int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(files), cmocka_unit_test(readers),
+		cmocka_unit_test(files), cmocka_unit_test(readers), cmocka_unit_test(glb),
 		cmocka_unit_test(synth), cmocka_unit_test(facets), cmocka_unit_test(polished),
 		cmocka_unit_test(fit_start), cmocka_unit_test(fit_frame),
 		cmocka_unit_test(fit_sock), cmocka_unit_test(frame),
