@@ -114,7 +114,8 @@ scene_bytes(Scene *s, const CmdInput *in, double seconds, char **bytes, size_t *
 	switch (glb_write(&g, bytes, n)) {
 	case 0: break;
 	case GLB_EVALUE: die("%s: a coordinate is too large for .glb", in->name);
-	case GLB_ELARGE: die("%s: %d frames of %d vertices are more than the 4 GiB of a .glb file", in->name, s->frames, s->nv);
+	case GLB_ELARGE: die("%s: %d frames of %d vertices are more than the 4 GiB of a .glb file", in->name,
+		s->frames, s->nv);
 	default: die("%s: no memory for %d frames of %d vertices", in->name, s->frames, s->nv);
 	}
 	for (k = 0; k < s->frames; k++)
