@@ -181,6 +181,7 @@ assert abs(H["mean"] + 1) < .01, H["mean"]'
 	[ -d "$meshes/good" ] || skip "no meshes in $meshes"
 	mesh2rect --chart=sock -n 192 "$meshes/good/bunny_28k.ply" -o "$tmp/bunny" 2>/dev/null
 	below 0.98 "$(datum "$tmp/bunny" kept)"
+	[ "$(datum "$tmp/bunny" turned)" = 0 ]
 	below "$(datum "$tmp/bunny" chi2)" 6
 	grid2lh "$tmp/bunny" | lhfft --scale=3% | lh2grid -o "$tmp/smooth"
 	[ "$(lhdiff "$tmp/bunny" "$tmp/smooth" | awk '$1 == "self_intersections_b" { print $2 }')" = 0 ]

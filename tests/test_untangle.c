@@ -1,10 +1,13 @@
 /* test_untangle.c - untangle.h: no triangle is turned over, whatever the places were, and vertices
- * away from turned triangles keep theirs; carry.h: points stay inside. */
+ * away from turned triangles keep theirs; the same across fold and seam of a sock; carry.h: points stay
+ * inside. */
 #include "cmock.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "../lib/base/sheet.h"
+#include "../lib/base/sockplane.h"
 #include "../lib/map/carry.h"
 #include "../lib/map/corners.h"
 #include "../lib/map/untangle.h"
@@ -67,9 +70,11 @@ static void
 check(Placed *c, Untangled *r)
 {
 	const Disk *d = &c->d;
+	UntangleChart on = { &CHART_RECTANGLE, c->T, .cone = { -1, -1 } };
 	int k, i;
 
-	assert_int_equal(untangle(d, c->corner, c->T, c->u, c->v, r), 0);
+	memcpy(on.corner, c->corner, sizeof on.corner);
+	assert_int_equal(untangle(d, &on, c->u, c->v, r), 0);
 	assert_int_equal(r->turned, 0);
 	assert_int_equal(turned(c), 0);
 	for (k = 0; k < 4; k++)
@@ -316,6 +321,176 @@ renumbered(void **state)
 	free(number);
 }
 
+/* ---- on a sock ------------------------------------------------------- */
+
+typedef struct Sock {
+	Placed        c;
+	UntangleChart on;
+} Sock;
+
+static double complex
+moved_to_0(double complex a, double complex z)
+{
+	return (z - a)/(1 - conj(a)*z);
+}
+
+/* The inner vertex nearest to z. */
+static int
+nearest(const Disk *d, const double complex *at, double complex z)
+{
+	int i, best = -1;
+
+	for (i = 0; i < d->m.nv; i++)
+		if (cabs(at[i]) < 0.99 && (best < 0 || cabs(at[i] - z) < cabs(at[best] - z)))
+			best = i;
+	return best;
+}
+
+/* A cap with about n vertices at their own places on a sock. */
+static void
+sock(int n, Sock *s)
+{
+	SynthDomain dom;
+	double *xy, rho;
+	double complex *z, b, w;
+	SockPlane plane;
+	Placed *c = &s->c;
+	Synth kind;
+	int i, k;
+
+	synth_disk("cap", n, &kind, &dom, &c->d, &xy);
+	set_room(c);
+	z = malloc(c->d.m.nv*sizeof *z);
+	assert_non_null(z);
+	for (i = 0; i < c->d.m.nv; i++)
+		z[i] = CMPLX(xy[2*i], xy[2*i+1])/dom.x1;
+	s->on = (UntangleChart){ .kind = &CHART_SOCK,
+		.cone = { nearest(&c->d, z, 0.3 + 0.2*I), nearest(&c->d, z, -0.4 + 0.1*I) } };
+	b = moved_to_0(z[s->on.cone[0]], z[s->on.cone[1]]);
+	rho = cabs(b);
+	plane = sockplane(s->on.T = c->T = sockplane_height(rho));
+	for (i = 0; i < c->d.m.nv; i++) {
+		w = moved_to_0(plane.s, moved_to_0(z[s->on.cone[0]], z[i])*rho/b);
+		sockplane_uv(&plane, cabs(w) > 1 ? w/cabs(w) : w, &c->u[i], &c->v[i]);
+	}
+	for (i = 0; i < c->d.nb; i++) {
+		c->v[c->d.loop[i]] = c->T;
+		for (k = 0; k < 4; k++)
+			if (c->d.loop[i] == k)
+				s->on.corner[k] = i;
+	}
+	free(xy);
+	free(z);
+}
+
+/* The triangles that are turned over, each drawn on one sheet. */
+static int
+turned_on_sheets(const Placed *c)
+{
+	double x[3], y[3];
+	Sheet s[3];
+	int t, k, n = 0;
+
+	for (t = 0; t < c->d.m.nf; t++) {
+		for (k = 0; k < 3; k++)
+			x[k] = c->u[c->d.m.tri[3*t+k]], y[k] = c->v[c->d.m.tri[3*t+k]];
+		sheet_polygon(3, x, y, s);
+		for (k = 0; k < 3; k++)
+			x[k] = sheet_u(s[k], x[k]), y[k] = sheet_v(s[k], y[k]);
+		n += (x[1] - x[0])*(y[2] - y[0]) < (x[2] - x[0])*(y[1] - y[0]);
+	}
+	return n;
+}
+
+/* Untangles; checks that nothing is turned over, that all is in the chart and the cones at their places,
+ * and that u falls along the boundary. */
+static void
+check_sock(Sock *s, Untangled *r)
+{
+	Placed *c = &s->c;
+	double step;
+	int i;
+
+	assert_int_equal(untangle(&c->d, &s->on, c->u, c->v, r), 0);
+	assert_int_equal(r->turned, 0);
+	assert_int_equal(turned_on_sheets(c), 0);
+	for (i = 0; i < c->d.m.nv; i++)
+		assert_true(c->u[i] >= 0 && c->u[i] < 1 && c->v[i] >= 0 && c->v[i] <= c->T);
+	for (i = 0; i < 2; i++)
+		assert_true(c->u[s->on.cone[i]] == i*0.5 && c->v[s->on.cone[i]] == 0);
+	for (i = 0; i < c->d.nb; i++) {
+		step = c->u[c->d.loop[i]] - c->u[c->d.loop[(i + 1)%c->d.nb]];
+		assert_true(c->v[c->d.loop[i]] == c->T && step - floor(step) < 0.5);
+	}
+}
+
+/* Moves the vertex whose place is nearest to (u,v) by (du,dv), and untangles. */
+static void
+move_on_sock(double u, double v, double du, double dv)
+{
+	double *before[2];
+	Untangled r;
+	Placed *c;
+	Sock s;
+	int i, best = -1;
+
+	sock(2000, &s);
+	c = &s.c;
+	check_sock(&s, &r);
+	for (i = 0; i < c->d.m.nv; i++)
+		if (i != s.on.cone[0] && i != s.on.cone[1]
+		    && (best < 0 || hypot(c->u[i] - u, c->v[i] - v) < hypot(c->u[best] - u, c->v[best] - v)))
+			best = i;
+	c->u[best] += du, c->v[best] += dv;
+	if (c->v[best] < 0)
+		c->u[best] *= -1, c->v[best] *= -1;
+	c->u[best] -= floor(c->u[best]);
+	assert_true(turned_on_sheets(c) > 0);
+	before[0] = copy(c, c->u), before[1] = copy(c, c->v);
+	check_sock(&s, &r);
+	assert_true(r.moved == moved(c, before[0], before[1]) && r.moved > 0 && r.moved <= 20);
+	assert_true(r.farthest < 0.12);
+	placed_free(c);
+	free(before[0]), free(before[1]);
+}
+
+static void
+across_fold_and_seam(void **state)
+{
+	(void)state;
+	move_on_sock(0.25, 0.15, 0.06, 0.02);           /* within a sheet */
+	move_on_sock(0.25, 0.01, 0.01, -0.08);          /* across the fold */
+	move_on_sock(0.99, 0.2, 0.07, 0);               /* across the seam */
+	move_on_sock(0.02, 0.02, 0.08, -0.01);          /* a neighbour of a cone */
+	move_on_sock(0.47, 0.02, 0, 0.08);
+}
+
+static void
+boundary_of_a_sock_out_of_order(void **state)
+{
+	double was[2];
+	Untangled r;
+	Placed *c;
+	Sock s;
+	int i, k, *l;
+
+	(void)state;
+	for (k = 0; k < 40; k += 13) {
+		sock(1000, &s);
+		c = &s.c;
+		l = c->d.loop;
+		check_sock(&s, &r);
+		for (i = 0; i < c->d.nb && !(c->u[l[i]] < c->u[l[(i + 1)%c->d.nb]]); i++)
+			;                               /* i, i + 1: the seam is between them */
+		i = (i + k)%c->d.nb;
+		was[0] = c->u[l[i]], was[1] = c->u[l[(i + 1)%c->d.nb]];
+		c->u[l[i]] = was[1], c->u[l[(i + 1)%c->d.nb]] = was[0];
+		check_sock(&s, &r);
+		assert_true(r.moved > 0 && r.moved < 20 && r.farthest < 0.1);
+		placed_free(c);
+	}
+}
+
 /* Points carried along by a grid one of whose cells is turned over, and whose displacements vary so
  * much that bicubic interpolation leaves the rectangle: they stay inside, and apart. */
 static void
@@ -348,6 +523,8 @@ main(void)
 		cmocka_unit_test(pocket),
 		cmocka_unit_test(side_out_of_order),
 		cmocka_unit_test(renumbered),
+		cmocka_unit_test(across_fold_and_seam),
+		cmocka_unit_test(boundary_of_a_sock_out_of_order),
 		cmocka_unit_test(carried_inside),
 	};
 

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../base/sheet.h"
 #include "../grid/gridloss.h"
 #include "../intrinsic/overlay.h"
 #include "../mesh/boundarysplit.h"
@@ -92,28 +91,6 @@ sample_enough(const Sampling *m, Chart g, Conformal *c)
 	return e;
 }
 
-/* How many triangles are turned over, each drawn with straight edges on one sheet. */
-static int
-turned_on_sheets(const Disk *d, const double *u, const double *v)
-{
-	static const int corner[3] = { 0, 1, 2 };
-	int t, k, n = 0;
-
-	for (t = 0; t < d->m.nf; t++) {
-		const int *c = &d->m.tri[3*(size_t)t];
-		double x[3], y[3];
-		Sheet s[3];
-
-		for (k = 0; k < 3; k++)
-			x[k] = u[c[k]], y[k] = v[c[k]];
-		sheet_polygon(3, x, y, s);
-		for (k = 0; k < 3; k++)
-			x[k] = sheet_u(s[k], x[k]), y[k] = sheet_v(s[k], y[k]);
-		n += mesh_image(corner, x, y) < 0;
-	}
-	return n;
-}
-
 /* Samples field k at the nodes of the finished grid.  x, y: their points of the rectangle. */
 static int
 sample_field(const Sampling *m, int k, const double *x, const double *y, Conformal *c)
@@ -157,16 +134,15 @@ sample_fields(const Sampling *m, Conformal *c)
 static int
 sample_map(const Sampling *m, const int corner[4], Chart g, Conformal *c)
 {
+	UntangleChart on;
 	int e, less;
 
 	e = m->options->keep > 0 ? sample_enough(m, g, c) : sample_and_polish(m, g, 0, c, &less);
 	if (!e)
 		e = sample_fields(m, c);
-	if (!e && g.kind->folded)
-		c->uv.turned = turned_on_sheets(m->d, c->u, c->v);
-	else if (!e)
-		e = untangle(m->d, corner, c->grid.g.T, c->u, c->v, &c->uv);
-	return e ? SPD_ENOMEM : 0;
+	on = (UntangleChart){ g.kind, c->grid.g.T, .cone = { c->cone[0], c->cone[1] } };
+	memcpy(on.corner, corner, sizeof on.corner);
+	return e || untangle(m->d, &on, c->u, c->v, &c->uv) ? SPD_ENOMEM : 0;
 }
 
 /* A map of d, solved on a finer mesh. */

@@ -15,26 +15,29 @@ static const double LEAST = 1e-2;       /* smallest weight on the surface / larg
 enum { BACK = 64 };                     /* rounds of partial steps back */
 static const double FLOOR = 0.01;       /* after such steps, area / area before them */
 
-/* The two other corners of the triangle of side h, its next one first. */
+/* The two other corners of the triangle of corner h, its next one first. */
 static void
-others(const Tangle *t, int h, int *j, int *l)
+others(int h, int *j, int *l)
 {
-	const int *c = &t->d->m.tri[h - h%3];
-
-	*j = c[(h + 1)%3];
-	*l = c[(h + 2)%3];
+	*j = h - h%3 + (h + 1)%3;
+	*l = h - h%3 + (h + 2)%3;
 }
 
-/* b - a for vertices a and b, in the plane or on the surface. */
+/* b - a for corners a and b of a triangle, in its plane or on the surface. */
 static void
 edge(const Tangle *t, int plane, int a, int b, double x[3])
 {
+	const int *tri = t->d->m.tri;
+	double p[2], q[2];
+
 	if (plane) {
-		x[0] = t->place[2*(size_t)b] - t->place[2*(size_t)a];
-		x[1] = t->place[2*(size_t)b+1] - t->place[2*(size_t)a+1];
+		tangle_image(t, t->place, a, p);
+		tangle_image(t, t->place, b, q);
+		x[0] = q[0] - p[0];
+		x[1] = q[1] - p[1];
 		x[2] = 0;
 	} else
-		sub3(&t->d->m.xyz[3*(size_t)b], &t->d->m.xyz[3*(size_t)a], x);
+		sub3(&t->d->m.xyz[3*(size_t)tri[b]], &t->d->m.xyz[3*(size_t)tri[a]], x);
 }
 
 /* The mean value weights of vertex i (Floater): for each of its triangles tan(angle/2)/length of
@@ -44,14 +47,15 @@ static double
 mean_value_weights(Tangle *t, int i, int plane)
 {
 	double a[3], b[3], n[3], tangent, most = 0, sum = 0;
-	int s, j, l;
+	int s, h, j, l;
 
 	for (s = t->star.first[i]; s < t->star.first[i+1]; s++) {
 		double *w = &t->w[2*(size_t)s];
 
-		others(t, t->star.side[s], &j, &l);
-		edge(t, plane, i, j, a);
-		edge(t, plane, i, l, b);
+		h = t->star.side[s];
+		others(h, &j, &l);
+		edge(t, plane, h, j, a);
+		edge(t, plane, h, l, b);
 		cross3(a, b, n);
 		tangent = norm3(n)/(norm3(a)*norm3(b) + dot3(a, b));
 		w[0] = tangent/norm3(a);
@@ -66,22 +70,24 @@ mean_value_weights(Tangle *t, int i, int plane)
 static void
 set_weights(Tangle *t, int i)
 {
-	double most, *force = &t->force[2*(size_t)i];
-	const double *x = t->place;
-	int s, j, l, c;
+	double most, a[3], b[3], *force = &t->force[2*(size_t)i];
+	int s, h, j, l, c;
 
 	force[0] = force[1] = 0;
-	if (tangle_star(t, x, i) == 0 && mean_value_weights(t, i, 1) < HUGE_VAL)
+	if (tangle_star(t, t->place, i) == 0 && mean_value_weights(t, i, 1) < HUGE_VAL)
 		return;
 	most = mean_value_weights(t, i, 0);
 	for (s = t->star.first[i]; s < t->star.first[i+1]; s++) {
 		double *w = &t->w[2*(size_t)s];
 
-		others(t, t->star.side[s], &j, &l);
+		h = t->star.side[s];
+		others(h, &j, &l);
+		edge(t, 1, h, j, a);
+		edge(t, 1, h, l, b);
 		for (c = 0; c < 2; c++)
 			w[c] = most < HUGE_VAL ? fmax(w[c], LEAST*most) : 1;
 		for (c = 0; c < 2; c++)
-			force[c] += w[0]*(x[2*(size_t)j+c] - x[2*(size_t)i+c]) + w[1]*(x[2*(size_t)l+c] - x[2*(size_t)i+c]);
+			force[c] += t->sheet[h].sign*(w[0]*a[c] + w[1]*b[c]);
 	}
 }
 
@@ -126,16 +132,21 @@ grow(Tangle *t, int rings)
 static void
 step(Tangle *t, int i)
 {
-	double sum = 0, x = t->force[2*(size_t)i], y = t->force[2*(size_t)i+1];
-	int s, j, l;
+	double sum = 0, x = t->force[2*(size_t)i], y = t->force[2*(size_t)i+1], a, b;
+	const double *ej, *el;
+	int s, h, j, l;
 
 	for (s = t->star.first[i]; s < t->star.first[i+1]; s++) {
 		const double *w = &t->w[2*(size_t)s];
 
-		others(t, t->star.side[s], &j, &l);
+		h = t->star.side[s];
+		others(h, &j, &l);
+		ej = &t->e[2*(size_t)t->d->m.tri[j]], el = &t->e[2*(size_t)t->d->m.tri[l]];
+		a = t->sheet[h].sign*t->sheet[j].sign*w[0];     /* e_j turned with its sheet */
+		b = t->sheet[h].sign*t->sheet[l].sign*w[1];
 		sum += w[0] + w[1];
-		x += w[0]*t->e[2*(size_t)j] + w[1]*t->e[2*(size_t)l];
-		y += w[0]*t->e[2*(size_t)j+1] + w[1]*t->e[2*(size_t)l+1];
+		x += a*ej[0] + b*el[0];
+		y += a*ej[1] + b*el[1];
 	}
 	t->e[2*(size_t)i] = x/sum;
 	t->e[2*(size_t)i+1] = y/sum;
@@ -189,15 +200,17 @@ area(const double p[2], const double a[2], const double b[2])
 static double
 way(const Tangle *t, int i)
 {
-	double least = 1, now, then, room;
-	const double *a, *b;
+	double least = 1, now, then, room, a[2], b[2], p[2], x[2];
 	int s, j, l;
 
 	for (s = t->star.first[i]; s < t->star.first[i+1]; s++) {
-		others(t, t->star.side[s], &j, &l);
-		a = &t->p[2*(size_t)j], b = &t->p[2*(size_t)l];
-		now = area(&t->p[2*(size_t)i], a, b);
-		then = area(&t->place[2*(size_t)i], a, b);
+		others(t->star.side[s], &j, &l);
+		tangle_image(t, t->p, j, a);
+		tangle_image(t, t->p, l, b);
+		tangle_image(t, t->p, t->star.side[s], p);
+		tangle_image(t, t->place, t->star.side[s], x);
+		now = area(p, a, b);
+		then = area(x, a, b);
 		room = now - FLOOR*t->area[t->star.side[s]/3];
 		if (then < now)
 			least = fmin(least, fmax(room, 0)/(now - then));
@@ -228,9 +241,12 @@ relax_back(Tangle *t)
 	int round, k, moved;
 
 	for (k = 0; k < t->nt; k++) {
-		const int *c = &t->d->m.tri[3*(size_t)t->tri[k]];
+		double a[2], b[2], c[2];
 
-		t->area[t->tri[k]] = area(&t->p[2*(size_t)c[0]], &t->p[2*(size_t)c[1]], &t->p[2*(size_t)c[2]]);
+		tangle_image(t, t->p, 3*t->tri[k], a);
+		tangle_image(t, t->p, 3*t->tri[k] + 1, b);
+		tangle_image(t, t->p, 3*t->tri[k] + 2, c);
+		t->area[t->tri[k]] = area(a, b, c);
 	}
 	for (round = 0; round <= BACK; round++) {
 		do

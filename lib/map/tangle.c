@@ -17,9 +17,13 @@ int
 tangle_bad(const Tangle *t, const double *p, int f)
 {
 	const int *k = &t->d->m.tri[3*(size_t)f];
-	const double *a = &p[2*(size_t)k[0]], *b = &p[2*(size_t)k[1]], *c = &p[2*(size_t)k[2]];
-	double x = (b[0] - a[0])*(c[1] - a[1]), y = (c[0] - a[0])*(b[1] - a[1]);
+	double a[2], b[2], c[2], x, y;
 
+	tangle_image(t, p, 3*f, a);
+	tangle_image(t, p, 3*f + 1, b);
+	tangle_image(t, p, 3*f + 2, c);
+	x = (b[0] - a[0])*(c[1] - a[1]);
+	y = (c[0] - a[0])*(b[1] - a[1]);
 	return !(x - y > ROUNDING*(fabs(x) + fabs(y))) && !(t->side[k[0]] & t->side[k[1]] & t->side[k[2]])
 	    && !equal(a, b) && !equal(b, c) && !equal(c, a);
 }

@@ -1,8 +1,10 @@
-/* tangle.h - a disk mapped to the rectangle with some triangles turned over: the data of untangle.c and
- * its parts relax.c, collapse.c.  Private to this wing. */
+/* tangle.h - a disk mapped to a chart with some triangles turned over: the data of untangle.c and its
+ * parts held.c, relax.c, collapse.c.  Private to this wing. */
 #ifndef TANGLE_H
 #define TANGLE_H
 
+#include "../base/chart.h"
+#include "../base/sheet.h"
 #include "../mesh/mesh.h"
 #include "../sample/gradient.h"
 
@@ -15,7 +17,12 @@ typedef struct Mover {
 /* Only the vertices of a region may move; relax enlarges the region. */
 typedef struct Tangle {
 	const Disk    *d;
-	unsigned char *side;    /* [nv] of harmonic_sides, and pockets (pocket.h) */
+	const ChartKind *kind;
+	double         T;
+	const int     *corner;  /* of the rectangle, as indices into the loop */
+	const int     *cone;    /* of the sock, as vertices */
+	unsigned char *side;    /* [nv] what holds a vertex (held.h), as bits; 0: it is free */
+	Sheet         *sheet;   /* [3 nf] images of the corners of each triangle that lie on one sheet */
 	double        *place;   /* [nv][2] the places to be kept where possible */
 	double        *p;       /* [nv][2] the places now */
 	Stars          star;
@@ -32,6 +39,16 @@ typedef struct Tangle {
 	int           *queue;   /* [nv] workspace of tangle_ball */
 	unsigned char *ball;    /* [nv] */
 } Tangle;
+
+/* The image of corner h = 3*f + k of triangle f, on the sheet of f, for the places p. */
+static inline void
+tangle_image(const Tangle *t, const double *p, int h, double x[2])
+{
+	const double *q = &p[2*(size_t)t->d->m.tri[h]];
+
+	x[0] = sheet_u(t->sheet[h], q[0]);
+	x[1] = sheet_v(t->sheet[h], q[1]);
+}
 
 /* Whether triangle f may be turned over: its area is negative, or not certain to be positive.
  * Triangles that are flat beyond doubt are not: all corners on one side, or two at one place. */

@@ -1,8 +1,9 @@
-/* untangle.h - moves vertices in the rectangle so that no triangle with straight edges is turned over
+/* untangle.h - moves vertices in a chart so that no triangle with straight edges is turned over
  * (doc/mathematics.md 3.5). */
 #ifndef UNTANGLE_H
 #define UNTANGLE_H
 
+#include "../base/chart.h"
 #include "../mesh/mesh.h"
 
 enum { UNTANGLE_ENOMEM = -1 };
@@ -14,15 +15,22 @@ typedef struct Untangled {
 	double farthest;        /* the largest distance from the given place */
 } Untangled;
 
+/* The chart of the places. */
+typedef struct UntangleChart {
+	const ChartKind *kind;
+	double T;
+	int    corner[4];       /* indices into the boundary loop (corners.h): the corners of the rectangle.
+	                         * On any chart they decide between vertices, whatever their numbers */
+	int    cone[2];         /* the vertices at the cones of a sock */
+} UntangleChart;
+
 /* Moves vertices near triangles that are turned over, and few others.  Vertices of a side stay on that
- * side; corners do not move.
+ * side; corners and cones do not move.  On a sock each triangle is drawn on one sheet (sheet_polygon).
  *
- * corner   indices into the boundary loop (corners.h)
- * T        height of the rectangle
- * u, v     in/out  [nv]; first clamped to the rectangle, and put onto the sides at their vertices
+ * u, v     in/out  [nv]; first clamped to the chart, and put onto the sides at their vertices
  * r        out
  *
  * Returns 0 or UNTANGLE_ENOMEM. */
-int untangle(const Disk *d, const int corner[4], double T, double *u, double *v, Untangled *r);
+int untangle(const Disk *d, const UntangleChart *on, double *u, double *v, Untangled *r);
 
 #endif
