@@ -82,7 +82,7 @@ shot() {
 	shot near.png "$wheel"
 	shot last.png "const s = document.getElementById('frame'); s.value = 3; s.dispatchEvent(new Event('input'));"
 	shot lambda.png "const s = document.getElementById('field'); s.value = 'lambda'; s.dispatchEvent(new Event('change'));"
-	awk 'NR > 2 && NF == 3 { $1 += 50 } { print }' "$tmp/a.off" >"$tmp/moved.off"
+	awk 'NR > 2 && NF == 3 { $1 = $1/1000 + 50; $2 /= 1000; $3 /= 1000 } { print }' "$tmp/a.off" >"$tmp/moved.off"
 	mesh2rect -q -n 24 "$tmp/moved.off" -o "$tmp/moved"
 	grid2html --beside="$tmp/moved" "$tmp/morph" -o "$tmp/page.html"
 	shot two.png ''
@@ -121,7 +121,7 @@ shot() {
 		half = lambda p: (p[30:, :300], p[30:, 300:])                   # below the names
 		for p in two, both:
 		    l, r = half(p)
-		    assert body(l).mean() > .05 and (body(l) == body(r)).mean() > .98      # though one lies elsewhere
+		    assert body(l).mean() > .05 and (body(l) == body(r)).mean() > .98      # though one lies elsewhere, in metres
 		assert all(changed(p, q) > .03 for p, q in zip(half(two), half(both)))
 	EOF
 }
