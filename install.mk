@@ -66,8 +66,8 @@ install: all man liblhg
 	install -m 644 format/LICENSE $(ROOT)/share/doc/lhgrid/LICENSE.MIT
 	install -m 644 $(EXAMPLES) $(ROOT)/share/doc/lhgrid/examples
 	install -m 644 $(MAN1) $(ROOT)/share/man/man1
-	install -m 644 man/lhg.5 $(ROOT)/share/man/man5
-	install -m 644 man/lhgrid.7 $(ROOT)/share/man/man7
+	sed 's/^\.Os lhgrid$$/& $(VERSION)/' man/lhg.5 >$(ROOT)/share/man/man5/lhg.5
+	sed 's/^\.Os lhgrid$$/& $(VERSION)/' man/lhgrid.7 >$(ROOT)/share/man/man7/lhgrid.7
 	sed 's/@COMMANDS@/$(CMD)/' completion/lhgrid.bash >$(ROOT)/$(BASHDIR)/lhgrid
 	for c in $(CMD); do ln -sf lhgrid $(ROOT)/$(BASHDIR)/$$c; done
 	sed 's/@COMMANDS@/$(CMD)/' completion/_lhgrid >$(ROOT)/share/zsh/site-functions/_lhgrid

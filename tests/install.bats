@@ -53,6 +53,25 @@ in_page()   { grep '^\.It Fl' "$tmp/root/opt/lhgrid/share/man/man1/$1.1" | grep 
 	[ -z "$output" ]
 }
 
+@test "one version: programs, pages, lhg.pc, CHANGELOG, CITATION, debian and the tarball" {
+	local man=$tmp/root/opt/lhgrid/share/man version page
+	version=$(sed -n 's/^#define CMD_VERSION "\(.*\)"/\1/p' cmd/shared/private.h)
+	grep -Eqx '[0-9]+\.[0-9]+\.[0-9]+' <<<"$version"
+	for c in $commands; do
+		[ "$("$tmp/root/opt/lhgrid/bin/$c" --version)" = "$c (lhgrid) $version" ]
+	done
+	[ "$(PATH=$tmp/root/opt/lhgrid/bin:$PATH lhbatch --version)" = "lhbatch (lhgrid) $version" ]
+	for page in "$man"/man?/*; do
+		grep -qx "\.Os lhgrid $version" "$page" || { echo "$page"; false; }
+	done
+	grep -qx "Version: $version" "$tmp/root/opt/lhgrid/lib/pkgconfig/lhg.pc"
+	grep -qx "version: \"$version\"" CITATION.cff
+	[[ $(head -1 debian/changelog) == "lhgrid ($version) "* ]]
+	# between two versions the changes of the next stand before it
+	[ "$(sed -n 's/^## //p' CHANGELOG.md | grep -vx Unreleased | head -1 | cut -d' ' -f1)" = "$version" ]
+	[ "$(make -s -n dist | grep -o 'lhgrid-[0-9.]*\.tar' | head -1)" = "lhgrid-$version.tar" ]
+}
+
 @test "liblhg exports the functions of lhg.h and no others; lhg.h is C++ too" {
 	grep -oE '^[A-Za-z].*\blhg_[a-z0-9_]+\(' format/lhg.h | grep -oE 'lhg_[a-z0-9_]+' | sort >"$tmp/declared"
 	nm -D --defined-only "$tmp/root/opt/lhgrid/lib/liblhg.so" | sed -n 's/.* T \(lhg_[a-z0-9_]*\).*/\1/p' | sort | diff "$tmp/declared" -
@@ -110,11 +129,4 @@ completed() {
 	chmod +x "$tmp/bin/git"
 	(cd "$tmp"/a/lhgrid-*/ && PATH="$tmp/bin:$PATH" make BUILD=build liblhg build/bin/lhinfo) >"$tmp/out" 2>&1
 	run ! grep 'git was called' "$tmp/out"
-}
-
-@test "the version is the same in programs, lhg.pc, CITATION.cff and the Debian changelog" {
-	local version=$(lhinfo --version | awk '{ print $3 }')
-	[ "$(sed -n 's/^Version: //p' "$tmp/root/opt/lhgrid/lib/pkgconfig/lhg.pc")" = "$version" ]
-	[ "$(sed -n 's/^version: "\(.*\)"/\1/p' CITATION.cff)" = "$version" ]
-	[ "$(sed -n '1s/^lhgrid (\(.*\)).*/\1/p' debian/changelog)" = "$version" ]
 }

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#define CMD_VERSION "0.1"
+#define CMD_VERSION "0.2.0"
 
 /* ---- message.c ---- */
 
