@@ -371,6 +371,8 @@ short_edges_collapse(void **state)
 		t.xyz[3*24+k] = t.xyz[3*25+k] + 1e-12;
 	r = mended(&t, MEND_DEFAULTS, &out);
 	assert_int_equal(r.collapsed, 1);
+	assert_int_equal(r.short_at[0] + r.short_at[1], 24 + 25);
+	assert_true(r.short_at[0] == 24 || r.short_at[0] == 25);
 	assert_int_equal(out.nv, t.nv - 1);
 	assert_int_equal(out.nf, t.nf - 2);
 	assert_disk(&out);

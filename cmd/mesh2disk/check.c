@@ -60,7 +60,11 @@ faults_text(FILE *f, const MendReport *r)
 	row(f, r->flaps, "flaps", "faces at these edges, dropped");
 	row(f, r->turned, "faces turned", "to agree in orientation with the rest");
 	row(f, r->one_sided, "one-sided surface", "no orientation agrees: nothing can mend this but a cut by hand");
-	row(f, r->collapsed + r->flipped + r->dropped, "faces without area", "collapsed, flipped or dropped");
+	if (r->short_at[0] >= 0)
+		row(f, r->collapsed + r->flipped + r->dropped, "faces without area",
+		    "collapsed, flipped or dropped; first short edge %d-%d", r->short_at[0], r->short_at[1]);
+	else
+		row(f, r->collapsed + r->flipped + r->dropped, "faces without area", "collapsed, flipped or dropped");
 	row(f, r->flat_left, "faces without area", "that cannot be mended; first at vertex %d", r->flat_at);
 	row(f, r->seams, "T-junctions", "vertices on an edge: the edge is split");
 }

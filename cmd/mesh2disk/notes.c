@@ -101,7 +101,11 @@ flat(Lines *l, const MendReport *r)
 {
 	char where[120];
 
-	line(l, r->collapsed, "%d face%s or edges without extent collapsed", r->collapsed, s_of(r->collapsed));
+	if (r->short_at[0] >= 0)
+		line(l, r->collapsed, "%d face%s or edges without extent collapsed, the first edge between vertices %d and %d",
+		    r->collapsed, s_of(r->collapsed), r->short_at[0], r->short_at[1]);
+	else
+		line(l, r->collapsed, "%d face%s without extent collapsed", r->collapsed, s_of(r->collapsed));
 	line(l, r->flipped, "%d longest edge%s of faces without area flipped", r->flipped, s_of(r->flipped));
 	line(l, r->dropped, "%d face%s without area dropped at the boundary", r->dropped, s_of(r->dropped));
 	line(l, r->flat_left, "%d face%s without area could not be mended, first%s", r->flat_left,

@@ -97,9 +97,10 @@ neighbours(Round *r, int a, int b)
 	return 0;
 }
 
-/* Merges the ends of a side if the result is still a manifold surface.  Returns whether it does. */
+/* Merges the ends of a side if the result is still a manifold surface, and counts it.  Returns whether it
+ * does. */
 static int
-collapse(Round *r, int side)
+collapse(Round *r, int side, Flattened *sum)
 {
 	const int t = r->s->twin[side];
 	int a = r->s->tri[side], b = sheet_to(r->s, side), c;
@@ -111,6 +112,9 @@ collapse(Round *r, int side)
 	if (r->boundary[a] != r->boundary[b] ? r->boundary[b] : b < a)
 		c = a, a = b, b = c;
 	r->to[b] = a;
+	if (sum->edge[0] < 0 && r->s->source[a] >= 0 && r->s->source[b] >= 0)
+		sum->edge[0] = r->s->source[a], sum->edge[1] = r->s->source[b];
+	sum->collapsed++;
 	r->keep[side/3] = 0;
 	if (t >= 0)
 		r->keep[t/3] = 0;
@@ -161,7 +165,7 @@ mend_some(Round *r, Flattened *sum)
 		if (!r->keep[f] || (kind = flatness(r->s, f, &lo, &hi)) == 0)
 			continue;
 		if (kind == 1)
-			sum->collapsed += done = collapse(r, lo);
+			done = collapse(r, lo, sum);
 		else if (r->s->twin[hi] < 0)
 			sum->dropped += done = drop(r, hi);
 		else
@@ -233,7 +237,7 @@ flat_mend(Sheet *s, Flattened *sum)
 {
 	int done = 1, e = 0;
 
-	*sum = (Flattened){ 0, 0, 0, 0, -1 };
+	*sum = (Flattened){ .edge = { -1, -1 }, .at = -1 };
 	if (flat_count(s) == 0)
 		return 0;
 	while (!e && done) {

@@ -10,6 +10,8 @@
 
 typedef struct Flattened {
 	int collapsed;          /* edges as short as that, of which the ends became one vertex */
+	int edge[2];            /* the first of them of which both ends are vertices of the soup, by their
+	                         * numbers there; else -1 */
 	int flipped;            /* longest edges that were replaced by the other diagonal */
 	int dropped;            /* faces whose longest edge is on the boundary */
 	int left, at;           /* faces that could not be mended, and a vertex of the first; else -1 */

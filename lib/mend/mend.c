@@ -22,6 +22,7 @@ flatten(Sheet *s, MendReport *r)
 	if ((e = flat_mend(s, &sum)) != 0)
 		return e;
 	r->collapsed += sum.collapsed;
+	memcpy(r->short_at, sum.edge, sizeof sum.edge);
 	r->flipped = sum.flipped;
 	r->dropped = sum.dropped;
 	r->flat_left = sum.left;
@@ -142,7 +143,7 @@ mend(Soup *out, const Soup *s, const MendOptions *o, MendReport *r)
 
 	memset(out, 0, sizeof *out);
 	*r = (MendReport){ .missing_at = -1, .infinite_at = -1, .broken_at = -1, .twice_at = -1, .nearest = -1, .flat_at = -1,
-		.left_at = -1, .order = o->fill };
+		.short_at = { -1, -1 }, .left_at = -1, .order = o->fill };
 	e = sheet_clean(&sheet, s, r);
 	if (!e && (e = mend_connect(&sheet, o, r)) == 0 && (e = mend_choose(&sheet, o, r)) == 0)
 		e = shape(&sheet, o, r);

@@ -61,6 +61,7 @@ typedef struct MendReport {
 	int    turned;          /* faces turned */
 	int    one_sided;       /* 1: a component kept is one-sided */
 	int    collapsed, flipped, dropped, flat_left, flat_at; /* faces without area: flat.h */
+	int    short_at[2];     /* the ends of the first edge that was so short; else -1 */
 	int    seams;           /* edges split at vertices that lie on them */
 	int    nloop;
 	MendLoop *loop;         /* [nloop] of the components kept, longest first */
