@@ -196,8 +196,12 @@ head_of() { sed -n '1,/^end_header/p' "$1" | tr -d '\0'; }
 	mesh2disk -q "$w/noisy_seam.off" -o "$tmp/seam.off"
 	mesh2disk -q "$w/noisy.off" -o "$tmp/none.off"
 	cmp "$tmp/seam.off" "$tmp/none.off"
-	try 0 '8 boundary vertices lie at the place of others: a cut, or a seam' "$w/noisy_seam.off" mesh2rect -n 8
+	try 0 '8 boundary vertices lie at the place of others: a cut, or a seam' "$w/noisy_seam.off" mesh2rect -n 8 --chart=rectangle
 	try 1 '874 boundary vertices lie within .* --weld=auto welds them' "$w/b03c_stl_noise1e-7.stl" mesh2rect
+	mesh2disk -o "$tmp/one.ply" "$w/b03c_stl_noise1e-7.stl" 2>"$tmp/err"
+	grep -q '874 boundary vertices within 2.8.*e-06 of others, .* --weld=auto welds them$' "$tmp/err"
+	try 0 'first edge between vertices 22 and 35$' "$w/b08d_edge_1e-12.off" mesh2disk
+	mesh2disk --check "$w/b08d_edge_1e-12.off" | grep -q '^faces without area .* first short edge 22-35$'
 	mesh2disk --weld=auto --check "$w/b03c_stl_noise1e-7.stl" | grep -q '^result: a disk, 205 vertices, 360 faces'
 	try 1 'two of them on vertices 128 140 141: said twice' "$w/b07a_dup_face.off" mesh2rect
 }

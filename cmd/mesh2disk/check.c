@@ -50,7 +50,7 @@ faults_text(FILE *f, const MendReport *r)
 	row(f, r->broken, "faces without corners", "dropped: fewer than three different; first face %d", r->broken_at);
 	row(f, r->twice, "faces said twice", "dropped");
 	row(f, r->coincident, "coincident vertices", "on the boundary, at the place of another: a seam");
-	row(f, r->close, "close vertices", "on the boundary, nearly at the place of another: --weld=auto");
+	row(f, r->close, "close vertices", "on the boundary, within %.2g of another: --weld=auto", r->within);
 	if (r->nearest > 0)
 		fprintf(f, "%-22s %8.3g   apart, on the boundary and of no common face\n", "nearest vertices",
 		    r->nearest);

@@ -73,8 +73,9 @@ connected(Lines *l, const MendReport *r)
 		snprintf(where, sizeof where, "at the same place");
 	line(l, r->welded, "%d boundary %s welded to others %s", r->welded,
 	    r->welded == 1 ? "vertex" : "vertices", where);
-	line(l, r->weld > 0 ? 0 : r->close, "%d boundary %s close to others, but not at their place, stay%s apart; "
-	    "--weld=auto welds them", r->close, r->close == 1 ? "vertex" : "vertices", r->close == 1 ? "s" : "");
+	line(l, r->weld > 0 ? 0 : r->close, "%d boundary %s within %.2g of others, but not at their place, stay%s apart; "
+	    "--weld=auto welds them", r->close, r->close == 1 ? "vertex" : "vertices", r->within,
+	    r->close == 1 ? "s" : "");
 	line(l, r->many, "%d edge%s of more than two faces parted, first%s", r->many, s_of(r->many),
 	    at(l, r->many_at[0], where));
 	line(l, r->parted, "%d %s added where fans of faces met at one vertex", r->parted,

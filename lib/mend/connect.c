@@ -39,10 +39,11 @@ weld(Sheet *s, const MendOptions *o, MendReport *r, int **was)
 	int *to = mesh_alloc(s->err, (size_t)s->nv, sizeof *to), e, i;
 	const size_t n = 3*(size_t)s->nf;
 
-	r->weld = o->weld == MEND_WELD_AUTO ? AUTO*diagonal : o->weld == MEND_WELD_NONE ? 0 : o->weld;
+	r->within = AUTO*diagonal;
+	r->weld = o->weld == MEND_WELD_AUTO ? r->within : o->weld == MEND_WELD_NONE ? 0 : o->weld;
 	e = to ? weld_boundary(s, 0, to) : MESH_ENOMEM;
 	r->coincident = e;
-	if (e >= 0 && (e = weld_boundary(s, AUTO*diagonal, to)) >= 0)
+	if (e >= 0 && (e = weld_boundary(s, r->within, to)) >= 0)
 		r->close = e - r->coincident;
 	if (e >= 0 && o->check && diagonal > 0 && weld_nearest(s, 0, NEAR*diagonal, &r->nearest))
 		e = MESH_ENOMEM;

@@ -50,6 +50,7 @@ typedef struct MendReport {
 	                         * a thousandth of the diagonal; -1: none */
 	int    close;           /* boundary vertices within a millionth of the diagonal of another, but
 	                         * not at its place */
+	double within;          /* a millionth of the diagonal */
 	double weld;            /* the distance used */
 	int    welded;          /* vertices that became one with another */
 	int    many, many_at[2];        /* edges of three or more faces; the first */
