@@ -1,4 +1,5 @@
 /* disks.c - random disks: plane domains are triangulated, then given heights or bent in space. */
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -583,15 +584,18 @@ disks_is_disk(const Disk *d)
 }
 
 int
-disks_turned(const Disk *d, const double *u, const double *v)
+disks_turned(const Disk *d, const double *u, const double *v, int *thin)
 {
 	int f, n = 0;
 
+	*thin = 0;
 	for (f = 0; f < d->m.nf; f++) {
 		const int *t = &d->m.tri[3*f];
 		long double a = u[t[0]], b = v[t[0]];
+		long double x = (u[t[1]] - a)*(v[t[2]] - b), y = (u[t[2]] - a)*(v[t[1]] - b);
 
-		n += (u[t[1]] - a)*(v[t[2]] - b) < (u[t[2]] - a)*(v[t[1]] - b);
+		n += x < y;
+		*thin += x >= y && x - y <= 8*(DBL_EPSILON/2)*(fabsl(x) + fabsl(y));
 	}
 	return n;
 }

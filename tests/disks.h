@@ -40,7 +40,8 @@ int disks_reordered(const Disk *d, uint64_t seed, Disk *other);
 int disks_is_disk(const Disk *d);
 
 /* The number of triangles that are turned over at the places u, v of their corners, computed with more
- * digits than the places have. */
-int disks_turned(const Disk *d, const double *u, const double *v);
+ * digits than the places have.  *thin is the number of the others that are so thin that binary64 may not
+ * tell the sign of their area: it is at most 8 roundings of the two products whose difference it is. */
+int disks_turned(const Disk *d, const double *u, const double *v, int *thin);
 
 #endif

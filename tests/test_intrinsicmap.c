@@ -176,7 +176,7 @@ random_disks_are_mapped(void **state)
 {
 	const int soak = getenv("SOAK") != NULL, most = soak ? 1000 : 40;
 	uint64_t seed;
-	int done = 0, overlaid = 0, missed = 0;
+	int done = 0, overlaid = 0, missed = 0, turned, thin;
 
 	(void)state;
 	for (seed = 0; done < most; seed++) {
@@ -192,7 +192,8 @@ random_disks_are_mapped(void **state)
 		assert_true(finite(&c));
 		assert_true(c.certificate > -1e-9);
 		missed += c.certificate > 1e-2;
-		assert_int_equal(disks_turned(&d, c.u, c.v), c.uv.turned);
+		turned = disks_turned(&d, c.u, c.v, &thin);
+		assert_in_range(c.uv.turned, turned, turned + thin);
 		assert_true(soak || c.uv.turned == 0);
 		check_intrinsic(&d, vertex);
 		overlaid += c.overlaid > 0;

@@ -62,7 +62,9 @@ rectangle(int n, Placed *c)
 static int
 turned(const Placed *c)
 {
-	return disks_turned(&c->d, c->u, c->v);
+	int thin;
+
+	return disks_turned(&c->d, c->u, c->v, &thin);
 }
 
 /* Untangles; checks that nothing is turned over, and that the boundary is that of the rectangle. */
