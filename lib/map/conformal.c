@@ -6,11 +6,11 @@
 #include "../grid/gridloss.h"
 #include "../intrinsic/overlay.h"
 #include "../mesh/boundarysplit.h"
-#include "../mesh/traversal.h"
 #include "../poisson/plate.h"
-#include "conformal.h"
+#include "choosechart.h"
 #include "intrinsicmap.h"
-#include "vertexkey.h"
+#include "near.h"
+#include "nodefields.h"
 
 /* A grid from linear elements is not polished if its mean modulus of the Beltrami coefficient is at
  * most this: the error of H then comes from the roughness of (u,v), which polishing does not
@@ -91,46 +91,6 @@ sample_enough(const Sampling *m, Chart g, Conformal *c)
 	return e;
 }
 
-/* Samples field k at the nodes of the finished grid.  x, y: their points of the rectangle. */
-static int
-sample_field(const Sampling *m, int k, const double *x, const double *y, Conformal *c)
-{
-	size_t nodes = (size_t)c->grid.g.nu*c->grid.g.nv;
-	const double *f = m->options->field[k];
-	double *all = NULL;
-	Channel channel = { .n = 1 };
-	int e = SPD_ENOMEM;
-
-	if (m->s->l.m->nv > m->d->m.nv && (all = malloc(m->s->l.m->nv*sizeof *all)))
-		subdivision_extend(m->mesh, 1, f, all);
-	channel.f = all ? all : (double *)f;
-	c->field[k] = malloc(nodes*sizeof(double));
-	if (c->field[k] && (all || m->s->l.m->nv == m->d->m.nv))
-		e = sampler_channel(m->s, &channel, c->grid.g, x, y, &c->field[k]) ? SPD_ENOMEM : 0;
-	free(all);
-	return e;
-}
-
-static int
-sample_fields(const Sampling *m, Conformal *c)
-{
-	int n = c->grid.g.nu*c->grid.g.nv, p, k, e = 0;
-	double *x;
-
-	if (!m->options->fields)
-		return 0;
-	x = malloc(2*(size_t)n*sizeof *x);
-	c->field = calloc(m->options->fields, sizeof *c->field);
-	c->fields = c->field ? m->options->fields : 0;
-	for (p = 0; x && p < n; p++)
-		chartmap_point(&m->map, c->grid.x[p], c->grid.y[p], &x[p], &x[n+p]);
-	for (k = 0; x && !e && k < c->fields; k++)
-		e = sample_field(m, k, x, x + n, c);
-	e = !x || !c->field ? SPD_ENOMEM : e;
-	free(x);
-	return e;
-}
-
 static int
 sample_map(const Sampling *m, const int corner[4], Chart g, Conformal *c)
 {
@@ -139,7 +99,7 @@ sample_map(const Sampling *m, const int corner[4], Chart g, Conformal *c)
 
 	e = m->options->keep > 0 ? sample_enough(m, g, c) : sample_and_polish(m, g, 0, c, &less);
 	if (!e)
-		e = sample_fields(m, c);
+		e = nodefields(m->s, &m->map, m->mesh, m->d, m->options, c);
 	on = (UntangleChart){ g.kind, c->grid.g.T, .cone = { c->cone[0], c->cone[1] } };
 	memcpy(on.corner, corner, sizeof on.corner);
 	return e || untangle(m->d, &on, c->u, c->v, &c->uv) ? SPD_ENOMEM : 0;
@@ -151,80 +111,6 @@ typedef struct Solved {
 	const double      *u, *v;       /* [mesh->d.m.nv] */
 	double             T, enough;
 } Solved;
-
-/* The vertex of z nearest to the point a of the disk, as a hyperbolic distance; one on the boundary is
- * none. */
-static int
-nearest_vertex(int n, const double complex *z, double complex a)
-{
-	int i, best = -1;
-	double d, least = HUGE_VAL;
-
-	for (i = 0; i < n; i++) {
-		d = cabs((z[i] - a)/(1 - conj(a)*z[i]));
-		if (d < least && cabs(z[i]) < 1 - 1e-9) {
-			least = d;
-			best = i;
-		}
-	}
-	return best;
-}
-
-/* Sets chi^2, and the cones of a sock; unless that is `wanted`, only if it might be clearly better.  z: of the
- * vertices, in the unit disk. */
-static int
-find_cones(const Disk *d, const int corner[4], const int given[2], int wanted, const double complex *z,
-	Conformal *c)
-{
-	double complex at[4];
-	Parts parts;
-	int k;
-
-	if (parts_init(&parts, &d->m, z))
-		return SPD_ENOMEM;
-	for (k = 0; k < 4; k++)
-		at[k] = z[d->loop[corner[k]]];
-	c->chi2[0] = parts_rectangle(&parts, at);
-	for (k = 0; k < 2; k++)
-		c->cone[k] = given[k];
-	if (given[0] < 0 && (wanted || c->chi2[0] > CONFORMAL_CLEARLY)) {
-		cones_choose(&parts, at);
-		for (k = 0; k < 2; k++)
-			c->cone[k] = nearest_vertex(d->m.nv, z, at[k]);
-	}
-	if (c->cone[0] >= 0 && c->cone[1] >= 0 && c->cone[0] != c->cone[1])
-		c->chi2[1] = parts_sock(&parts, z[c->cone[0]], z[c->cone[1]]);
-	parts_free(&parts);
-	return 0;
-}
-
-/* Finds the cones, and makes the map of the chart.  *kind may become the sock. */
-static int
-make_chart(const Disk *d, const int corner[4], const ConformalOptions *o, Sampling *at, const ChartKind **kind,
-	Conformal *c)
-{
-	double complex *z = malloc(d->m.nv*sizeof *z);
-	double T = at->s->l.T;
-	int i, e;
-
-	if (!z)
-		return SPD_ENOMEM;
-	#pragma omp parallel for schedule(static)
-	for (i = 0; i < d->m.nv; i++)
-		z[i] = chartmap_disk(T, at->u[i], at->v[i]);
-	e = find_cones(d, corner, o->cone, (*kind)->folded, z, c);
-	if (!e && o->choose && c->chi2[1] > 0 && c->chi2[0] > CONFORMAL_CLEARLY*c->chi2[1])
-		*kind = &CHART_SOCK;
-	at->map = chartmap_rectangle(T);
-	if (!e && (*kind)->folded) {
-		if (c->chi2[1] > 0)
-			at->map = chartmap_sock(T, z[c->cone[0]], z[c->cone[1]]);
-		else
-			e = CONFORMAL_ECONES;
-	}
-	free(z);
-	return e;
-}
 
 /* Samples the surface.  A smooth surface is sampled on d, except near triangles of d that the map
  * turns over or makes flat: there the facets of the finer mesh are sampled.  A surface of facets is
@@ -240,7 +126,7 @@ sample(const Disk *d, const int corner[4], const Solved *m, Chart g, const Confo
 
 	if (sampler_init(&s, smooth ? d : &m->mesh->d, m->u, m->v, m->T, options->surface))
 		return SPD_ENOMEM;
-	e = make_chart(d, corner, options, &at, &g.kind, c);
+	e = choosechart(d, corner, &(Rectangle){ m->T, m->u, m->v }, options, &g.kind, &at.map, c);
 	if (!e && smooth && c->overlaid && sampler_overlay(&s, m->mesh, m->u, m->v))
 		e = SPD_ENOMEM;
 	if (!e)
@@ -298,28 +184,6 @@ missed(const Disk *d, const AdaptMap *a, const AdaptOptions *o)
 	return o->tolerance < 1 && a->certificate > o->tolerance && d->m.nv < o->most;
 }
 
-/* The offset that, subtracted from the coordinates, brings a mesh far from the origin near it.  The
- * subtraction is exact: along each axis the offset is a multiple of a power of two that is not less
- * than the extent of the mesh, and lies between 0 and the middle of the mesh. */
-static void
-find_offset(const Mesh *m, double offset[3])
-{
-	double low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
-	double extent = 0;
-	int i, c;
-
-	for (i = 0; i < m->nv; i++)
-		for (c = 0; c < 3; c++) {
-			low[c] = fmin(low[c], m->xyz[3*(size_t)i + c]);
-			high[c] = fmax(high[c], m->xyz[3*(size_t)i + c]);
-		}
-	for (c = 0; c < 3; c++)
-		extent = fmax(extent, high[c] - low[c]);
-	extent = exp2(ceil(log2(extent)));
-	for (c = 0; c < 3; c++)
-		offset[c] = extent*trunc((low[c]/2 + high[c]/2)/extent);
-}
-
 static int
 map_and_sample(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options,
 	Conformal *c, SpdReport *report)
@@ -345,121 +209,50 @@ map_and_sample(const Disk *d, const int corner[4], Chart g, const ConformalOptio
 	return e;
 }
 
-/* Makes t the disk d moved by -offset, near the origin, and numbered from one of its corners on.  to:
- * the corners in its loop.  Returns 0 or SPD_ENOMEM. */
-static int
-normalize(const Disk *d, const int corner[4], Traversal *t, int to[4], double offset[3])
-{
-	int vertex[4], k, start;
-	size_t i;
-
-	for (k = 0; k < 4; k++)
-		vertex[k] = d->loop[corner[k]];
-	start = corner[vertex_first(&d->m, vertex)];
-	if (traversal_init(t, d, start))
-		return SPD_ENOMEM;
-	for (k = 0; k < 4; k++)
-		to[k] = (corner[k] - start + d->nb)%d->nb;
-	find_offset(&d->m, offset);
-	for (i = 0; i < 3*(size_t)d->m.nv; i++)
-		t->d.m.xyz[i] -= offset[i%3];
-	return 0;
-}
-
-/* Puts x, given at the vertices of t, in the order of the vertices of the given disk. */
-static int
-restore_order(const Traversal *t, double **x)
-{
-	double *given = malloc(t->d.m.nv*sizeof *given);
-	int i;
-
-	if (!given)
-		return SPD_ENOMEM;
-	for (i = 0; i < t->d.m.nv; i++)
-		given[i] = (*x)[t->number[i]];
-	free(*x);
-	*x = given;
-	return 0;
-}
-
-/* The vertex of d that has that number in the traversal, -1 if it was added. */
-static int
-given_number(const Traversal *t, int number)
-{
-	int i = t->d.m.nv - 1;
-
-	while (i >= 0 && t->number[i] != number)
-		i--;
-	return i;
-}
-
 /* Moves the grid back by the offset, and puts u and v in the order of the vertices of d. */
 static int
-restore(const Disk *d, const Traversal *t, const double offset[3], Conformal *c)
+restore(const Disk *d, const Near *near, Conformal *c)
 {
 	size_t nodes = (size_t)c->grid.g.nu*c->grid.g.nv, i;
 	int k;
 
 	for (k = 0; k < 3; k++)
 		for (i = 0; i < nodes; i++)
-			c->grid.phi[k][i] += offset[k];
-	if (restore_order(t, &c->u) || restore_order(t, &c->v))
+			c->grid.phi[k][i] += near->offset[k];
+	if (near_restore(near, &c->u) || near_restore(near, &c->v))
 		return SPD_ENOMEM;
 	for (k = 0; k < 2 && c->grid.g.kind->folded; k++)
-		c->cone[k] = given_number(t, c->cone[k]);
+		c->cone[k] = near_given(near, c->cone[k]);
 	if (!c->grid.g.kind->folded)
 		c->uv.turned += boundary_split_turned(d, c->u, c->v);
 	return 0;
 }
 
-/* The fields of the options in the order of the vertices of the traversal: pointers and numbers in one piece, to be
- * freed. */
-static double **
-order_fields(const Traversal *t, const ConformalOptions *o)
-{
-	size_t nv = t->d.m.nv, n = o->fields;
-	double **field = malloc((n + 1)*sizeof *field + n*nv*sizeof(double)), *f;
-	size_t k, i;
-
-	if (!field)
-		return NULL;
-	for (f = (double *)(field + n + 1), k = 0; k < n; k++, f += nv) {
-		field[k] = f;
-		for (i = 0; i < nv; i++)
-			f[t->number[i]] = o->field[k][i];
-	}
-	return field;
-}
-
-/* Points are added on edges; far from the origin, rounding of their coordinates would bend the
- * surface.  So the surface is mapped near the origin.  Ties are broken in favour of lower numbers, and
- * sums are rounded in the order of the numbers.  So the vertices and faces are first renumbered in a
- * way that does not depend on their numbers in d. */
 int
 conformal_grid(const Disk *d, const int corner[4], Chart g, const ConformalOptions *options,
 	Conformal *c, SpdReport *report)
 {
 	ConformalOptions o = *options;
-	Traversal near;
-	double offset[3], **field;
-	int to[4], k, e = normalize(d, corner, &near, to, offset);
+	Near near;
+	double **field;
+	int k, e = near_init(&near, d, corner) ? SPD_ENOMEM : 0;
 
 	memset(c, 0, sizeof *c);
 	if (e)
 		return e;
-	field = order_fields(&near, options);
+	field = near_fields(&near, options->fields, options->field);
 	o.field = (const double *const *)field;
 	for (k = 0; k < 2; k++)
-		o.cone[k] = o.cone[k] < 0 ? -1 : near.number[o.cone[k]];
+		o.cone[k] = o.cone[k] < 0 ? -1 : near.t.number[o.cone[k]];
 	c->u = malloc(d->m.nv*sizeof *c->u);
 	c->v = malloc(d->m.nv*sizeof *c->v);
-	e = c->u && c->v && field ? map_and_sample(&near.d, to, g, &o, c, report) : SPD_ENOMEM;
+	e = c->u && c->v && field ? map_and_sample(&near.t.d, near.corner, g, &o, c, report) : SPD_ENOMEM;
 	if (!e)
-		e = restore(d, &near, offset, c);
+		e = restore(d, &near, c);
 	else if (e == SPD_EINDEFINITE)
-		report->column = given_number(&near, report->column);
+		report->column = near_given(&near, report->column);
 	free(field);
-	traversal_free(&near);
+	near_free(&near);
 	if (e)
 		conformal_free(c);
 	return e;
