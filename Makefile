@@ -191,7 +191,8 @@ soak: all tests
 # The fuzz targets are linked with libFuzzer and only the library sources that they need.
 FUZZ_SECONDS = 60
 FUZZLIB := $(patsubst %.c,build/fuzz/%.o,$(wildcard format/*.c) $(wildcard lib/meshfile/*.c) \
-           lib/mesh/fail.c lib/mesh/mesh.c lib/mesh/channel.c)
+           lib/mesh/fail.c lib/mesh/mesh.c lib/mesh/channel.c lib/base/base64.c lib/base/chart.c lib/base/sheet.c \
+           lib/base/sockplane.c)
 
 fuzz:
 	scripts/deps --fuzz
