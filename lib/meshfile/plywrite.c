@@ -95,7 +95,7 @@ plyhead(Text *t, const Soup *s, const Has *has, int size)
 static int
 plyvertex(Text *t, const Soup *s, const Has *has, int i)
 {
-	const Channel *c;
+	int k;
 
 	if (!text_room(t))
 		return MESH_ENOMEM;
@@ -106,7 +106,9 @@ plyvertex(Text *t, const Soup *s, const Has *has, int i)
 		doubles(t, has->offset + 4*(size_t)i, 4);
 	if (has->source)
 		text_bytes(t, (uint64_t)(int64_t)has->source[i], 4);
-	for (c = s->channels.channel; c < s->channels.channel + s->channels.n; c++) {
+	for (k = 0; k < s->channels.n; k++) {
+		const Channel *c = &s->channels.channel[k];
+
 		if (!text_room(t))
 			return MESH_ENOMEM;
 		if (is_field(c))
