@@ -493,6 +493,60 @@ boundary_of_a_sock_out_of_order(void **state)
 	}
 }
 
+/* Adds a pocket to a sock: behind edge k of its loop a vertex of the boundary and an inner one. */
+static void
+add_pocket(Sock *s, int k)
+{
+	Placed *c = &s->c, old = *c;
+	const Mesh *m = &old.d.m;
+	const int nv = m->nv, nf = m->nf, p = old.d.loop[k], q = old.d.loop[(k + 1)%old.d.nb];
+	const int more[9] = { q, p, nv + 1,  p, nv, nv + 1,  nv, q, nv + 1 };
+	double *xyz = malloc(3*(nv + 2)*sizeof *xyz);
+	int *tri = malloc((3*nf + 9)*sizeof *tri), i, r;
+
+	assert_true(xyz && tri);
+	memcpy(xyz, m->xyz, 3*nv*sizeof *xyz);
+	memcpy(tri, m->tri, 3*nf*sizeof *tri);
+	memcpy(tri + 3*nf, more, sizeof more);
+	for (i = 0; i < 3; i++) {
+		xyz[3*nv+i] = (xyz[3*p+i] + xyz[3*q+i])*0.6;
+		xyz[3*nv+3+i] = (xyz[3*p+i] + xyz[3*q+i])*0.52;
+	}
+	assert_int_equal(disks_of(nv + 2, xyz, nf + 3, tri, &c->d), 0);
+	set_room(c);
+	memcpy(c->u, old.u, nv*sizeof *c->u);
+	memcpy(c->v, old.v, nv*sizeof *c->v);
+	c->u[nv] = c->u[nv+1] = c->u[q] + (c->u[p] - c->u[q] - floor(c->u[p] - c->u[q]))/2;
+	c->u[nv] = c->u[nv+1] = c->u[nv] - floor(c->u[nv]);
+	c->v[nv] = c->T, c->v[nv+1] = c->T - 1e-3;
+	for (i = 0; i < c->d.nb; i++)
+		for (r = 0; r < 4; r++)
+			if (c->d.loop[i] == r)
+				s->on.corner[r] = i;
+	placed_free(&old);
+	free(xyz), free(tri);
+}
+
+static void
+pockets_of_a_sock(void **state)
+{
+	Untangled r;
+	int k, inner;
+	Sock s;
+
+	(void)state;
+	for (k = 0; k < 80; k += 7) {
+		sock(1000, &s);
+		check_sock(&s, &r);
+		add_pocket(&s, k%s.c.d.nb);
+		assert_int_equal(turned_on_sheets(&s.c), 1);
+		check_sock(&s, &r);
+		inner = s.c.d.m.nv - 1;
+		assert_true(r.moved == 1 && s.c.v[inner] == s.c.T);
+		placed_free(&s.c);
+	}
+}
+
 /* Points carried along by a grid one of whose cells is turned over, and whose displacements vary so
  * much that bicubic interpolation leaves the rectangle: they stay inside, and apart. */
 static void
@@ -527,6 +581,7 @@ main(void)
 		cmocka_unit_test(renumbered),
 		cmocka_unit_test(across_fold_and_seam),
 		cmocka_unit_test(boundary_of_a_sock_out_of_order),
+		cmocka_unit_test(pockets_of_a_sock),
 		cmocka_unit_test(carried_inside),
 	};
 

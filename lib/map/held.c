@@ -168,8 +168,7 @@ sock_sort(const Tangle *t, double *x)
 static int
 sock_pockets(const Tangle *t)
 {
-	(void)t;
-	return 0;
+	return pocket_round(t->d, t->place, t->side) ? HELD_ENOMEM : 0;
 }
 
 /* ---- either ---------------------------------------------------------- */

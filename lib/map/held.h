@@ -12,7 +12,7 @@ enum { HELD_ENOMEM = -1 };
  * the cones to theirs. */
 void held_put(const Tangle *t);
 
-/* Adds to t->side the vertices behind inner edges between vertices of one side of the rectangle
+/* Adds to t->side the vertices behind inner edges between vertices of one side
  * (pocket.h), puts them onto that side, and makes the places along the boundary follow each other in the
  * order of the loop.  Returns 0 or HELD_ENOMEM. */
 int  held_sort(const Tangle *t);

@@ -16,4 +16,8 @@ enum { POCKET_ENOMEM = -1 };
  * Returns 0 or POCKET_ENOMEM. */
 int pocket_sides(const Disk *d, const int corner[4], unsigned char *side);
 
+/* The same on a sock, whose boundary is one side.  The pocket is the part of the disk that has less of the
+ * boundary, by u of place [d->m.nv][2]. */
+int pocket_round(const Disk *d, const double *place, unsigned char *side);
+
 #endif
