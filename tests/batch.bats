@@ -5,6 +5,7 @@ load slurm
 
 setup() {
 	PATH=$PWD/scripts:$PATH
+	unset MAKEFLAGS MFLAGS MAKELEVEL        # of the make that runs the tests
 	here=$PWD
 	folder=$tmp/$BATS_TEST_NUMBER
 	mkdir -p "$folder/scans"
@@ -121,9 +122,13 @@ field() {
 	until [ "$(find smooth -name '*.ply' 2>/dev/null | wc -l)" -ge 3 ]; do sleep 0.1; done
 	slurm_kill_node "$slurm" n1
 	[ "$(find smooth -name '*.ply' | wc -l)" -lt 19 ]
-	# Slurm holds tasks of a lost node back for two minutes
-	until job=$(squeue -h -o '%i %r' | sed -n 's/ BeginTime$//p') && [ -n "$job" ]; do sleep 0.5; done
-	for j in $job; do scontrol update jobid="$j" StartTime=now; done
+	# Slurm may hold tasks of a lost node back for two minutes
+	while kill -0 "$batch" 2>/dev/null; do
+		for j in $(squeue -h -o '%i %r' | sed -n 's/ BeginTime$//p'); do
+			scontrol update jobid="$j" StartTime=now || :
+		done
+		sleep 0.5
+	done
 	code=0
 	wait $batch || code=$?
 	[ $code = 1 ]

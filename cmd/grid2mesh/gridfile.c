@@ -1,4 +1,5 @@
 /* gridfile.c - a grid as the bytes of a mesh file, for grid2mesh. */
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -65,7 +66,11 @@ mesh_of_grid(const CmdInput *in, const Lhg *g, const double *const phi[3], int s
 {
 	Mesh m;
 	int left = 0, e = mesh_from_grid(&m, chart_of(g), phi);
+	size_t k;
 
+	for (k = 0; !e && single && k < 3*(size_t)m.nv; k++)
+		if (fabs(m.xyz[k]) > FLT_MAX)
+			die("%s: a coordinate is too large for %s", in->name, kind);
 	if (!e)
 		e = gridmesh_part(&m, chart_of(g), single, &left);
 	if (e)
