@@ -4,10 +4,6 @@
 
 #include "sockplane.h"
 
-#ifndef CMPLX           /* of C11; glibc has it for gcc only, clang has the builtin */
-#define CMPLX(x, y) __builtin_complex((double)(x), (double)(y))
-#endif
-
 enum {
 	ROUNDS = 60,            /* the means converge quadratically, so this is never reached */
 	TERMS = 6               /* the next term is below e^-90 of the largest */

@@ -16,7 +16,7 @@
 #ifndef SOCKPLANE_H
 #define SOCKPLANE_H
 
-#include <complex.h>
+#include "cmplx.h"
 
 typedef struct SockPlane {
 	double T, s;

@@ -1,8 +1,8 @@
 /* places.c - the places of crossings, by unfolding triangles into the plane. */
-#include <complex.h>
 #include <math.h>
 #include <stdlib.h>
 
+#include "../base/cmplx.h"
 #include "crossings.h"
 #include "places.h"
 

@@ -14,8 +14,7 @@
 #ifndef CONES_H
 #define CONES_H
 
-#include <complex.h>
-
+#include "../base/cmplx.h"
 #include "../mesh/mesh.h"
 
 enum { CONES_ENOMEM = -1 };
