@@ -66,19 +66,34 @@ samebits(const void *a, const void *b, size_t bytes)
 	return bytes == 0 || memcmp(a, b, bytes) == 0;
 }
 
-/* Checks that b equals a, after a was written and read again as b.  The (u,v) are compared at the
- * corners of faces only, since OBJ stores none for a vertex that belongs to no face; facts if the format has
- * comments for them. */
-static void
-same(const Soup *a, const Soup *b, int comments)
+/* Whether the n numbers of b are those of a, bit by bit, or rounded to floats. */
+static int
+samenumbers(const double *a, const double *b, size_t n, int single)
 {
+	size_t i;
+
+	if (!single)
+		return samebits(a, b, n*sizeof *a);
+	for (i = 0; i < n; i++)
+		if (b[i] != (double)(float)a[i])
+			return 0;
+	return 1;
+}
+
+/* Checks that b equals a, after a was written in this format and read again as b.  The (u,v) are compared at
+ * the corners of faces only, since OBJ stores none for a vertex that belongs to no face; facts if the format
+ * has comments for them. */
+static void
+same(const Soup *a, const Soup *b, const MeshFormat *format)
+{
+	const int comments = (format->can & MESHFORMAT_UV) != 0, single = (format->can & MESHFORMAT_SINGLE) != 0;
 	const double *u = channel_values(&a->channels, MESH_UV), *v = channel_values(&b->channels, MESH_UV);
 	const double *o = channel_values(&a->channels, MESH_OFFSET);
 	const double *p = channel_values(&b->channels, MESH_OFFSET);
 	size_t nv = (size_t)a->nv, nf = (size_t)a->nf, i;
 
 	fuzz_need(a->nv == b->nv && a->nf == b->nf, "a mesh comes back with other counts");
-	fuzz_need(samebits(a->xyz, b->xyz, 3*nv*sizeof(double)), "coordinates do not come back");
+	fuzz_need(samenumbers(a->xyz, b->xyz, 3*nv, single), "coordinates do not come back");
 	fuzz_need(samebits(a->first, b->first, (nf + 1)*sizeof(int)), "numbers of corners do not come back");
 	fuzz_need(samebits(a->idx, b->idx, (size_t)a->first[nf]*sizeof(int)), "corners do not come back");
 	fuzz_need(!comments || strcmp(a->facts ? a->facts : "", b->facts ? b->facts : "") == 0, "facts do not come back");
@@ -98,13 +113,16 @@ comesback(const Soup *s, const MeshFormat *format, Parse *parse)
 	char *p;
 	int e;
 
-	fuzz_need(meshfile_write(s, format, &p, &n) == 0, "an accepted mesh cannot be written");
+	e = meshfile_write(s, format, &p, &n);
+	if ((format->can & MESHFORMAT_SINGLE) && (e == MESH_EVALUE || e == MESH_EFACE))
+		return;                 /* beyond the range of a float, or a polygon */
+	fuzz_need(e == 0, "an accepted mesh cannot be written");
 	e = parse(&again, p, n, MOST);
 	free(p);
 	fuzz_need(e == 0 || s->nv == 0, "what was written is refused");
 	if (e)
 		return;                 /* some formats need at least one vertex */
-	same(s, &again, (format->can & MESHFORMAT_UV) != 0);
+	same(s, &again, format);
 	soup_free(&again);
 }
 
