@@ -33,8 +33,8 @@ setup_file() {
 }
 
 @test "a stream that breaks after its first frame leaves no FILE" {
-	lhinterp -n 3 "$tmp/lh" "$tmp/lh" >"$tmp/three"
-	head -c $(($(wc -c <"$tmp/three") - 100)) "$tmp/three" >"$tmp/cut"
+	lhinterp -n 3 "$tmp/lh" "$tmp/lh" >"$tmp/frames"
+	head -c $(($(wc -c <"$tmp/frames") - 100)) "$tmp/frames" >"$tmp/cut"
 	mkdir "$tmp/f"
 	try 1 'frame 3 of 3' "$tmp/cut" lh2grid -o "$tmp/f/x"
 	[ -z "$(ls -A "$tmp/f")" ]
