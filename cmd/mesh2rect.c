@@ -46,23 +46,23 @@ static const char text[] =
 "      --corners=auto four clear corners of the boundary if it has them, else four vertices\n"
 "                     at equal arc length from its lowest vertex number [auto]\n"
 "      --like=GRID    corners that correspond to those of GRID: the boundary curves, by arc\n"
-"                     length, are fitted by motion and shift; on a sock GRID's numbers of\n"
-"                     nodes, and its order of the cones\n"
+"                     length, are fitted by motion and shift; on a sock GRID's numbers of "
+"nodes, and its order of the cones\n"
 "      --like-reversed  with --like: reverse the normal of the mesh if the curves are closer then\n"
 "      --flip         reverse the normal of the surface\n"
 "      --tolerance=X  split the facets where the error of the map is largest until its\n"
 "                     certificate sqrt(E(u) E(v/T)) - 1, E the Dirichlet energy, is at most X,\n"
 "                     0..1; if it is not reached, this is noted [1e-3]\n"
-"      --split=N      finally split every facet into four, N times; the map is then of quadratic\n"
-"                     elements on the mesh before the last of these splits, 0..8 [1]\n"
+"      --split=N      finally split every facet into four, N times; the map is then of quadratic "
+"elements on the mesh before the last of these splits, 0..8 [1]\n"
 "      --max-vertices=N  --tolerance and --split stop at about N vertices, 0..100000000 [300000]\n"
 "      --surface=smooth|facets  between the vertices the surface is C1 and cubic\n"
 "                     (Clough-Tocher over the chart) or flat [smooth]; with smooth it is\n"
 "                     flat near triangles that straight edges in the chart turn over\n"
 "      --polish=N     at most N rounds that map the grid by its own metric, each kept only if\n"
 "                     the grid becomes more conformal, 0..100 [12]\n"
-"      --with=FILE[,FILE..]  also numbers at the vertices of MESH, as channels: FreeSurfer's curv,\n"
-"                     sulc, thickness.. or GIFTI .shape.gii; one for each vertex, in its order\n"
+"      --with=FILE[,FILE..]  also numbers at the vertices of MESH, as channels: FreeSurfer's curv, sulc.., "
+"GIFTI .shape.gii, PLY's colours, quality..; one for each vertex of MESH, or of what mesh2disk made it of\n"
 "      --uv=FILE      write the mesh, with its (u,v) and offsets from the grid, to FILE {uv ends}:\n"
 "                     for textures, and grid2mesh --on; vertices of no face get -1,-1;\n"
 "                     no triangle is turned over, else noted; FILE is neither MESH nor output\n"
@@ -256,7 +256,7 @@ main(int argc, char *argv[])
 	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0, 1024, 0, NULL, { -1, -1 }, 0, 1 };
 	const char *corners = NULL, *cones = NULL, *like = NULL, *uv = NULL, *with = NULL;
 	Chart g = { 257, 257, 1, &CHART_RECTANGLE };
-	int opt, corner[4], kind = LHG_RECTANGLE, flip = 0, reversed = 0;
+	int opt, corner[4], kind = LHG_RECTANGLE, flip = 0, reversed = 0, noted;
 	double apart, most_lost = 0.5;
 	Conformal c;
 	Soup s;
@@ -314,10 +314,9 @@ main(int argc, char *argv[])
 	quality_meta(&out, &d, corner, apart, &c);
 	if (out.chart == LHG_SOCK)
 		cones_meta(&out, &d, &c);
-	else
-		cones_note(cmd_name_of(argv[optind]), &c);
 	quality_facts(&out, s.facts);
-	loss_report(&out, cmd_name_of(argv[optind]), most_lost, &d, &c);
+	noted = loss_report(&out, cmd_name_of(argv[optind]), most_lost, &d, &c);
+	cones_note(cmd_name_of(argv[optind]), &c, noted);
 	quality_notes(cmd_name_of(argv[optind]), uv, &d, &options, &c);
 	if (uv)
 		uv_write(uv, &s, &d, c.u, c.v, c.grid.g, (const double *const *)c.grid.phi);

@@ -20,7 +20,7 @@ def ply(name):
     head = b[:i].decode().split('\n')
     n = int([w for w in head if w.startswith('element vertex')][0].split()[2])
     face = [k for k, w in enumerate(head) if w.startswith('element face')][0]
-    kind = {'double': '<f8', 'int': '<i4'}
+    kind = {'double': '<f8', 'int': '<i4', 'uchar': 'u1'}
     t = [(w.split()[2], kind[w.split()[1]]) for w in head[:face] if w.startswith('property')]
     return np.frombuffer(b, t, n, i)
 $1"
@@ -111,6 +111,46 @@ for x, y in ("torus", "H"), ("lambda", "lambda"):
 	try 1 'values' /dev/null mesh2rect --with="$tmp/cut.curv" "$tmp/torus.off"
 }
 
+@test "colours of a PLY become channels, also of what mesh2disk made of it, and come back as bytes" {
+	py '
+v, f = [], []
+for j in range(41):                     # a bowl, with a hole beside its middle
+    for i in range(41):
+        x, y = i/20 - 1, j/20 - 1
+        v.append((x, y, .5*(x*x + y*y)))
+for j in range(40):
+    for i in range(40):
+        if not (22 <= i < 27 and 18 <= j < 23):
+            a = 41*j + i
+            f += [(3, a, a + 1, a + 42), (3, a, a + 42, a + 41)]
+v = np.array(v)
+keep = np.zeros(len(v), bool)
+keep[[k for t in f for k in t[1:]]] = True
+new = np.cumsum(keep) - 1
+with open("bowl.ply", "w") as o:
+    o.write("ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\nproperty float z\n"
+        "property float nx\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty double quality\n"
+        "element face %d\nproperty list uchar int vertex_indices\nend_header\n" % (keep.sum(), len(f)))
+    for x, y, z in v[keep]:
+        o.write("%.9g %.9g %.9g 0 %d %d 7 %.9g\n" % (x, y, z, round(127 + 100*x), round(127 + 100*y), x - y))
+    for t in f:
+        o.write("3 %d %d %d\n" % tuple(new[list(t[1:])]))'
+	mesh2disk -q "$tmp/bowl.ply" -o "$tmp/bowl-disk.ply"
+	mesh2rect -q -n 64 --with="$tmp/bowl.ply" --uv="$tmp/bowl-uv.ply" "$tmp/bowl-disk.ply" |
+		grid2mesh --on "$tmp/bowl-uv.ply" --with=red,green,blue,quality -o "$tmp/bowl-back.ply"
+	head -c 1000 "$tmp/bowl-back.ply" | grep -a -q "^property uchar blue"
+	py '
+p = ply("bowl-back.ply")
+far = np.hypot(p["x"] - .23, p["y"] - .03) > .25
+assert 1000 < far.sum() < len(far)
+for name, x in ("red", 127 + 100*p["x"]), ("green", 127 + 100*p["y"]), ("blue", 7 + 0*p["x"]):
+    e = abs(p[name].astype(float) - x)
+    assert e[far].max() < 2 and e.max() < 40, (name, e[far].max(), e.max())
+assert abs(p["quality"] - p["x"] + p["y"])[far].max() < .01'
+	mkmesh -n 50 cap -o "$tmp/plain.ply"
+	try 1 'no numbers at the vertices' /dev/null mesh2rect --with="$tmp/plain.ply" "$tmp/plain.ply"
+}
+
 @test "nibabel reads the fields and surfaces" {
 	/usr/bin/python3 -c 'import nibabel' 2>/dev/null || skip "no nibabel"
 	grid2mesh --on "$tmp/uv.ply" --with=lambda,H "$tmp/lh" -o "$tmp/z.ply"
@@ -137,12 +177,19 @@ assert (p == x).all() and (q == x).all() and (t == f).all()'
 	[ -e "$cortex" ] || skip "no meshes in $meshes"
 	/usr/bin/python3 -c 'import nibabel' 2>/dev/null || skip "no nibabel"
 	mesh2disk -q --open=auto "$cortex" -o "$tmp/open.ply"
-	mesh2rect -q --chart=auto --uv="$tmp/open-uv.ply" "$tmp/open.ply" | grid2lh |
-		grid2mesh --on "$tmp/open-uv.ply" --with=lambda,H -o "$tmp/lh.shape.gii"
+	py '
+import nibabel as nib
+z = nib.load("'"$cortex"'").darrays[0].data[:, 2]
+nib.freesurfer.write_morph_data("lh.height", z)'
+	mesh2rect -q --chart=auto --with="$tmp/lh.height" --uv="$tmp/open-uv.ply" "$tmp/open.ply" | grid2lh >"$tmp/cortex"
+	grid2mesh --on "$tmp/open-uv.ply" --with=lambda,H "$tmp/cortex" -o "$tmp/lh.shape.gii"
+	grid2mesh --on "$tmp/open-uv.ply" --with=height "$tmp/cortex" -o "$tmp/height.ply"
 	py '
 import nibabel as nib
 s = nib.load("lh.shape.gii")
 H = s.darrays[1].data
 assert len(H) > 10242 and np.isfinite(H).all()
+p = ply("height.ply")
+assert np.median(abs(p["height"] - ply("open-uv.ply")["z"])) < .1
 assert .1 < np.median(abs(H)) < .4, np.median(abs(H))      # 1/mm: folds of some millimetres'
 }

@@ -74,7 +74,7 @@ meta() {
 
 @test "a loss above 1 % is noted with its place and what helps; -q is silent" {
 	try 0 '' "$tmp/cap.off" mesh2rect -n 128
-	try 0 'the grid holds [89][0-9.]* % of the area; the vertex at \(.* [.0-9]*\) is .* away: more cells \(-n auto\), other corners' \
+	try 0 'the grid holds [89][0-9.]* % of the area; the vertex at \(.* [.0-9]*\) is .* away: --chart=sock \(chi\^2 [0-9.]*, on the rectangle [0-9.]*\), more cells \(-n auto\), other corners' \
 	    "$tmp/rod.off" mesh2rect -n 32 --max-loss=1
 	try 0 '' "$tmp/rod.off" mesh2rect -q -n 32 --max-loss=1
 }

@@ -174,7 +174,7 @@ assert abs(H["mean"] + 1) < .01, H["mean"]'
 	[ "$(mesh2rect --chart=auto -n 32 "$tmp/cap.off" | head -1)" = 'lhg 1' ]
 	[ -d "$meshes/good" ] || skip "no meshes in $meshes"
 	[ "$(mesh2rect --chart=auto -n 32 "$meshes/good/head_man_26k.ply" 2>/dev/null | head -1)" = 'lhg 2' ]
-	mesh2rect -n 32 "$meshes/good/head_man_26k.ply" 2>&1 >/dev/null | grep -q 'chart=sock holds them far better'
+	mesh2rect -n 32 "$meshes/good/head_man_26k.ply" 2>&1 >/dev/null | grep -q 'chart=sock'
 }
 
 @test "a bunny keeps its ears" {

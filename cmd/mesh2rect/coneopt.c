@@ -51,12 +51,18 @@ cones_meta(Lhg *out, const Disk *d, const Conformal *c)
 	cmd_meta(out, "chi2", "%.4g", c->chi2[1]);
 }
 
-void
-cones_note(const char *mesh, const Conformal *c)
+int
+cones_help(const Conformal *c)
 {
-	if (c->chi2[1] > 0)
+	return c->grid.g.kind == &CHART_RECTANGLE && c->chi2[1] > 0 && c->chi2[0] > CONFORMAL_CLEARLY*c->chi2[1];
+}
+
+void
+cones_note(const char *mesh, const Conformal *c, int noted)
+{
+	if (c->chi2[1] > 0 && c->grid.g.kind == &CHART_RECTANGLE)
 		detail("%s: chi^2 %.3g on this rectangle, %.3g on a sock", mesh, c->chi2[0], c->chi2[1]);
-	if (c->chi2[1] > 0 && c->chi2[0] > CONFORMAL_CLEARLY*c->chi2[1])
+	if (cones_help(c) && !noted)
 		note("%s: limbs are small on the rectangle (chi^2 %.3g); --chart=sock holds them far better (%.3g)", mesh,
 		    c->chi2[0], c->chi2[1]);
 }

@@ -12,7 +12,10 @@ void opt_cones(const char *arg, const Disk *d, int cone[2]);
 /* Adds the metadata of a sock. */
 void cones_meta(Lhg *out, const Disk *d, const Conformal *c);
 
-/* Notes if a sock would hold the surface clearly better than the rectangle of c. */
-void cones_note(const char *mesh, const Conformal *c);
+/* Whether a sock would hold the surface clearly better than the rectangle of c. */
+int cones_help(const Conformal *c);
+
+/* Notes it, unless another note has said so. */
+void cones_note(const char *mesh, const Conformal *c, int noted);
 
 #endif

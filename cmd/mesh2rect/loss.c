@@ -3,15 +3,17 @@
 
 #include "../../lib/grid/gridloss.h"
 #include "../shared/cmd.h"
+#include "coneopt.h"
 #include "loss.h"
 
 static const double NOTED = 0.01;       /* a loss is noted above this share of the area, a distance
                                          * above this share of its square root */
 
-void
+int
 loss_report(Lhg *out, const char *mesh, double most, const Disk *d, const Conformal *c)
 {
-	char what[200];
+	char what[200], sock[80] = "";
+	int noted;
 	const double *x;
 	GridLoss loss;
 
@@ -26,7 +28,11 @@ loss_report(Lhg *out, const char *mesh, double most, const Disk *d, const Confor
 	    100*loss.kept, x[0], x[1], x[2], 100*loss.farthest);
 	if (!(loss.kept >= 1 - most))
 		die("%s: the grid holds only %s: --max-loss=%g", mesh, what, most);
-	if (!(loss.kept >= 1 - NOTED && loss.farthest <= NOTED))
-		note("%s: the grid holds %s: more cells (-n auto), other corners (-c) or a part of the mesh alone "
-		    "lose less", mesh, what);
+	noted = !(loss.kept >= 1 - NOTED && loss.farthest <= NOTED);
+	if (cones_help(c))
+		snprintf(sock, sizeof sock, "--chart=sock (chi^2 %.3g, on the rectangle %.3g), ", c->chi2[1], c->chi2[0]);
+	if (noted)
+		note("%s: the grid holds %s: %smore cells (-n auto), other corners (-c) or a part of the mesh alone "
+		    "lose less", mesh, what, sock);
+	return noted;
 }

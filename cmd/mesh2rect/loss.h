@@ -6,9 +6,9 @@
 #include "../../lib/map/conformal.h"
 
 /* Adds the data "area", "kept" and "farthest" (gridloss.h) to the metadata of out, the grid c->grid of
- * d.  Prints a note if more than 1 % of the area is lost, or if a vertex of d is farther from the grid
+ * d.  Prints a note, and returns 1, if more than 1 % of the area is lost, or if a vertex of d is farther from the grid
  * than 1 % of sqrt(area).  Dies if more than the share `most` of the area is lost.  mesh: the name of
  * d in messages. */
-void loss_report(Lhg *out, const char *mesh, double most, const Disk *d, const Conformal *c);
+int loss_report(Lhg *out, const char *mesh, double most, const Disk *d, const Conformal *c);
 
 #endif

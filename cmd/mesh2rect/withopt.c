@@ -40,6 +40,68 @@ clean(char *name)
 			*name = '_';
 }
 
+/* Whether each vertex of s has its number in a file of nv vertices, or -1. */
+static int
+made_from(const Soup *s, const double *source, int nv)
+{
+	int p;
+
+	for (p = 0; p < s->nv && source && source[p] < nv; p++)
+		;
+	return source && p == s->nv;
+}
+
+/* Gives each vertex that has none (known 0) the mean of its neighbours' numbers, from face to face; 0 if no face
+ * leads to it. */
+static void
+spread(const Soup *s, unsigned char *known, double *f)
+{
+	double *sum = cmd_alloc((size_t)s->nv, sizeof *sum);
+	int *n = cmd_alloc((size_t)s->nv, sizeof *n), k, i, p, found;
+
+	do {
+		found = 0;
+		memset(sum, 0, (size_t)s->nv*sizeof *sum);
+		memset(n, 0, (size_t)s->nv*sizeof *n);
+		for (k = 0; k < s->nf; k++)
+			for (i = s->first[k]; i < s->first[k+1]; i++)
+				for (p = s->first[k]; p < s->first[k+1] && !known[s->idx[i]]; p++)
+					if (known[s->idx[p]]) {
+						sum[s->idx[i]] += f[s->idx[p]];
+						n[s->idx[i]]++;
+					}
+		for (p = 0; p < s->nv; p++)
+			if (n[p]) {
+				f[p] = sum[p]/n[p];
+				known[p] = 1;
+				found = 1;
+			}
+	} while (found);
+	free(sum);
+	free(n);
+}
+
+/* Sets `to` to the numbers `from` of a file of nv vertices: those of s, or those of the file that s was made from, by
+ * the channel MESH_SOURCE. */
+static void
+carry(const Soup *s, const double *source, int nv, const double *from, double *to)
+{
+	unsigned char *known;
+	int p;
+
+	if (nv == s->nv) {
+		memcpy(to, from, (size_t)nv*sizeof *to);
+		return;
+	}
+	known = cmd_alloc((size_t)s->nv, 1);
+	for (p = 0; p < s->nv; p++) {
+		known[p] = source[p] >= 0;
+		to[p] = known[p] ? from[(int)source[p]] : 0;
+	}
+	spread(s, known, to);
+	free(known);
+}
+
 static void
 read_file(const char *path, Soup *s)
 {
@@ -52,7 +114,7 @@ read_file(const char *path, Soup *s)
 	bytes = cmd_slurp(path, &n);
 	if (fieldfile_parse(bytes, n, name, &c, &nv, err))
 		die("%s: %s", path, err);
-	if (nv != s->nv)
+	if (nv != s->nv && !made_from(s, channel_values(&s->channels, MESH_SOURCE), nv))
 		die("%s: %d numbers, the mesh has %d vertices", path, nv, s->nv);
 	for (k = 0; k < c.n; k++) {
 		double *to;
@@ -60,9 +122,9 @@ read_file(const char *path, Soup *s)
 		clean(c.channel[k].name);
 		if (channel_find(&s->channels, c.channel[k].name))
 			die("%s: a second channel %s", path, c.channel[k].name);
-		if (!(to = channel_add(&s->channels, c.channel[k].name, 1, (size_t)nv)))
-			die("%s: no memory for %d numbers", path, nv);
-		memcpy(to, c.channel[k].f, (size_t)nv*sizeof *to);
+		if (!(to = channel_add(&s->channels, c.channel[k].name, 1, (size_t)s->nv)))
+			die("%s: no memory for %d numbers", path, s->nv);
+		carry(s, channel_values(&s->channels, MESH_SOURCE), nv, c.channel[k].f, to);
 	}
 	channels_free(&c);
 	free(bytes);

@@ -6,7 +6,8 @@
 #include "../../lib/map/conformal.h"
 
 /* Adds the numbers of the files, separated by commas, to the channels of the mesh; dies if a file has not one for each
- * vertex.  Call it before the disk is made. */
+ * vertex, or for each of the file that mesh2disk made the mesh of; vertices that are new there get the mean of their
+ * neighbours.  Call it before the disk is made. */
 void with_read(const char *files, Soup *s);
 
 /* Makes the channels of d the fields of o, whose pointers are to be freed. */

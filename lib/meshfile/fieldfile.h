@@ -30,8 +30,8 @@ char *fieldformat_ends(char buf[FIELDFORMAT_LIST]);
  * there is nothing to free.  Returns 0 or MESH_ENOMEM. */
 int fieldfile_write(const Channels *c, int nv, int nf, const FieldFormat *format, char **bytes, size_t *n);
 
-/* Reads the channels of a FreeSurfer curvature file (named `name`) or a GIFTI file (named by their metadatum Name, or
- * name, name_1 ..), *nv numbers each, to be freed.  Returns 0; or MESH_ENOMEM, MESH_EFORMAT, or MESH_EVALUE if a
+/* Reads the channels of a FreeSurfer curvature file (named `name`), a GIFTI file (named by their metadatum Name, or
+ * name, name_1 ..) or a PLY mesh (the numbers at its vertices but x y z, normals and texture coordinates), *nv numbers each, to be freed.  Returns 0; or MESH_ENOMEM, MESH_EFORMAT, or MESH_EVALUE if a
  * number is not finite, with the reason in err and nothing to free. */
 int fieldfile_parse(const char *bytes, size_t n, const char *name, Channels *c, int *nv, char err[MESH_ERRLEN]);
 

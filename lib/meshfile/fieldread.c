@@ -1,4 +1,4 @@
-/* fieldread.c - numbers at vertices from FreeSurfer curvature files and GIFTI arrays. */
+/* fieldread.c - numbers at vertices from FreeSurfer curvature files, GIFTI arrays and PLY. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -6,6 +6,7 @@
 
 #include "../mesh/channel.h"
 #include "fieldfile.h"
+#include "meshfile.h"
 #include "xml.h"
 
 /* Adds n numbers as the channel of that name, shortened if need be. */
@@ -149,6 +150,23 @@ gifti(Reader *r, const char *name, Channels *c, int *nv)
 	return e;
 }
 
+/* Checks the numbers at the vertices of a PLY file, and moves them to c. */
+static int
+ply(Reader *r, Channels *c, int *nv)
+{
+	Soup *s = r->s;
+	int e = meshfile_parse_fields(s, r->p, scan_left(r), r->most), k;
+
+	for (k = 0; !e && k < s->channels.n; k++)
+		if (strcmp(s->channels.channel[k].name, MESH_SOURCE) != 0)
+			e = add(r, c, s->channels.channel[k].name, s->channels.channel[k].f, s->nv);
+	*nv = s->nv;
+	if (!e && c->n == 0)
+		e = mesh_fail(s->err, MESH_EFORMAT, "no numbers at the vertices but their places");
+	soup_free(s);
+	return e;
+}
+
 int
 fieldfile_parse(const char *bytes, size_t n, const char *name, Channels *c, int *nv, char err[MESH_ERRLEN])
 {
@@ -161,8 +179,10 @@ fieldfile_parse(const char *bytes, size_t n, const char *name, Channels *c, int 
 		e = curv(&r, name, c, nv);
 	else if (n > 5 && (bytes[0] == '<' || memcmp(bytes, "\xef\xbb\xbf<", 4) == 0))
 		e = gifti(&r, name, c, nv);
+	else if (n > 3 && memcmp(bytes, "ply", 3) == 0)
+		e = ply(&r, c, nv);
 	else
-		e = mesh_fail(s.err, MESH_EFORMAT, "neither a FreeSurfer curvature file nor GIFTI");
+		e = mesh_fail(s.err, MESH_EFORMAT, "neither a FreeSurfer curvature file nor GIFTI or PLY");
 	if (e) {
 		snprintf(err, MESH_ERRLEN, "%s", s.err);
 		channels_free(c);

@@ -138,14 +138,15 @@ check_corners(Reader *r)
 	return 0;
 }
 
-enum { PARSE_UV = 1, PARSE_LOOSE = 2 };
+enum { PARSE_UV = 1, PARSE_LOOSE = 2, PARSE_FIELDS = 4 };
 
 static int
 parse_unpacked(Soup *s, const char *p, size_t n, size_t most, int flags)
 {
 	const MeshStart m = beginning_of(p, n, n, n);
 	Reader r = { .p = m.p, .end = m.p + m.n, .line = 1, .s = s, .most = most, .unused = m.n,
-		.read_uv = flags & PARSE_UV, .loose = flags & PARSE_LOOSE };
+		.read_uv = flags & PARSE_UV, .loose = flags & PARSE_LOOSE,
+		.fields = flags & PARSE_FIELDS };
 	const MeshFormat *format;
 	char list[MESHFORMAT_LIST];
 	int e;
@@ -201,6 +202,12 @@ int
 meshfile_parse_loose(Soup *s, const void *bytes, size_t n, size_t most)
 {
 	return parse(s, bytes, n, most, PARSE_LOOSE);
+}
+
+int
+meshfile_parse_fields(Soup *s, const void *bytes, size_t n, size_t most)
+{
+	return parse(s, bytes, n, most, PARSE_FIELDS);
 }
 
 int

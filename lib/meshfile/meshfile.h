@@ -71,6 +71,10 @@ int meshfile_parse_uv(Soup *s, const void *bytes, size_t n, size_t most);
  * Returns 0, MESH_ENOMEM or MESH_EFORMAT. */
 int meshfile_parse_loose(Soup *s, const void *bytes, size_t n, size_t most);
 
+/* As meshfile_parse; and every other number that PLY has at the vertices becomes a channel of its name: colours,
+ * quality, but not normals and texture coordinates.  Values may be infinite or nan. */
+int meshfile_parse_fields(Soup *s, const void *bytes, size_t n, size_t most);
+
 /* Checks whether a file can be a mesh.  It has at most `most` bytes, and the first n are at head.
  * Returns 0, also if n bytes are too few to decide, or MESH_EFORMAT with the reason in err.  An
  * endless pipe can thus be refused early. */
@@ -79,7 +83,8 @@ int meshfile_plausible(const void *head, size_t n, size_t most, char err[MESH_ER
 /* Writes the vertices and polygons of s, unchanged, as a mesh file in memory; also the channels
  * MESH_UV and MESH_OFFSET, the facts, and T, if s has them and the format can store them.  OFF and OBJ are
  * text from which every double is read back exactly, PLY is binary_little_endian double, STL is
- * binary float, VTP base64 double, GIFTI and FreeSurfer float.  PLY and VTP hold all other channels, too.
+ * binary float, VTP base64 double, GIFTI and FreeSurfer float.  PLY and VTP hold all other channels, too;
+ * in PLY, colours red green blue alpha are bytes, rounded to 0 .. 255.
  * *bytes is malloc'd, *n its length; on failure there is nothing to free.  Returns 0,
  * MESH_ENOMEM, MESH_EVALUE if a coordinate is too large for the format, or MESH_EFACE if a face is
  * no triangle and the format has only triangles. */

@@ -14,6 +14,7 @@ typedef struct Reader {
 	int    hash;            /* # begins a comment */
 	int    read_uv;          /* read MESH_UV and s->T */
 	int    loose;           /* as meshfile_parse_loose says */
+	int    fields;          /* as meshfile_parse_fields says */
 	double *uv;             /* the values of MESH_UV, once uv_start made it */
 	double (*offset)[4];    /* the values for MESH_OFFSET; noffset of them were read */
 	size_t noffset, capoffset;

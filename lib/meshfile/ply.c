@@ -1,4 +1,5 @@
 /* ply.c - the data of a PLY file. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -118,6 +119,8 @@ record(Record *c)
 			return e;
 		if (!q->count && q->use != PLY_SKIP)
 			c->x[q->use] = x;
+		if (q->field)
+			q->field[c->i] = x;
 	}
 	if (c->e->kind == PLY_VERTEX && c->p->uv)
 		memcpy(c->p->r->uv + 2*c->i, c->x + c->p->uv, 2 * sizeof *c->x);
@@ -140,6 +143,34 @@ has_use(const Ply *p, const PlyElem *e, int use)
 	for (i = e->p0; i < e->p1; i++)
 		if (p->prop[i].use == use)
 			return 1;
+	return 0;
+}
+
+/* Whether a property of vertices is a number that is no place, normal or (u,v), with a name that fits. */
+static int
+is_field(const PlyProp *q)
+{
+	return !q->count && q->use == PLY_SKIP && q->name.n < CHANNEL_NAME && ply_uv_use(q->name) == PLY_SKIP &&
+	    !scan_is(q->name, "nx") && !scan_is(q->name, "ny") && !scan_is(q->name, "nz");
+}
+
+/* Makes channels of the fields of the vertices e. */
+static int
+reserve_fields(Ply *p, const PlyElem *e)
+{
+	Soup *s = p->r->s;
+	char name[CHANNEL_NAME];
+	int i;
+
+	for (i = e->p0; i < e->p1; i++) {
+		if (!is_field(&p->prop[i]))
+			continue;
+		snprintf(name, sizeof name, "%.*s", (int)p->prop[i].name.n, p->prop[i].name.s);
+		if (channel_find(&s->channels, name))
+			return mesh_fail(s->err, MESH_EFORMAT, "vertices have two properties %s", name);
+		if (!(p->prop[i].field = channel_add(&s->channels, name, 1, (size_t)e->n)))
+			return mesh_fail(s->err, MESH_ENOMEM, "no memory for %s at %lld vertices", name, e->n);
+	}
 	return 0;
 }
 
@@ -173,6 +204,8 @@ reserve(Ply *p, const PlyElem *e)
 	if ((err = soup_check_count(p->r, what[e->kind], e->n, left / least)) != 0)
 		return err;
 	if ((err = reserve_marks(p, e)) != 0)
+		return err;
+	if (e->kind == PLY_VERTEX && p->r->fields && (err = reserve_fields(p, e)) != 0)
 		return err;
 	if (e->kind == PLY_VERTEX && p->uv && (err = uv_start(p->r, (size_t)e->n)) != 0)
 		return err;

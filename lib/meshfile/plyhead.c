@@ -74,9 +74,8 @@ element(Ply *p)
 	return 0;
 }
 
-/* The use of a vertex property other than x, y and z, when (u,v) is to be read. */
-static int
-uv_use(Token name)
+int
+ply_uv_use(Token name)
 {
 	static const char *const known[] = { "s", "t", "u", "v", "texture_u", "texture_v",
 	    "offset_u", "offset_v", "offset_n", "offset_r" };
@@ -100,7 +99,7 @@ property_use(int kind, int list, Token name, int read_uv)
 		return PLY_SOURCE;
 	if (kind == PLY_FACE && !list && scan_is(name, "filled"))
 		return PLY_FILLED;
-	return kind == PLY_VERTEX && !list && read_uv ? uv_use(name) : PLY_SKIP;
+	return kind == PLY_VERTEX && !list && read_uv ? ply_uv_use(name) : PLY_SKIP;
 }
 
 /* "property float x" or "property list uchar int vertex_indices" */
@@ -129,6 +128,8 @@ property(Ply *p)
 		return bad(p, "a type", t);
 	if (!scan_word(p->r, &t))
 		return bad(p, "a name", t);
+	q->name = t;
+	q->field = NULL;
 	q->use = property_use(e->kind, q->count != NULL, t, p->r->read_uv);
 	for (i = e->p0; i < p->np; i++)
 		if (q->use != PLY_SKIP && p->prop[i].use == q->use)

@@ -21,6 +21,8 @@ typedef struct PlyType {
 typedef struct PlyProp {
 	const PlyType *type, *count;    /* count: type of the length of a list; NULL: no list */
 	int use;
+	Token name;
+	double *field;                  /* the values at the vertices, if they become a channel */
 } PlyProp;
 
 typedef struct PlyElem {
@@ -42,6 +44,9 @@ typedef struct Ply {
 
 /* Read up to the first byte of the data.  Returns 0 or MESH_EFORMAT. */
 int ply_header(Ply *p);
+
+/* The use of a vertex property of (u,v) or an offset, when these are to be read, else PLY_SKIP. */
+int ply_uv_use(Token name);
 
 /* The least size of a record of e in bytes, with all lists empty.  In ASCII a value has at least
  * two bytes, a digit and a blank; only the last value of a file may have no blank. */

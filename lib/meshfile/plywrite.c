@@ -1,4 +1,5 @@
 /* plywrite.c - a mesh as the bytes of a binary PLY file. */
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -37,6 +38,7 @@ static const char OFFSET[] = "property double offset_u\nproperty double offset_v
 /* Which optional properties the file has; fields are all other channels. */
 typedef struct Has {
 	const double *uv, *offset, *source;
+	int           colours;  /* fields red, green and blue, which viewers know as bytes */
 } Has;
 
 static int
@@ -45,9 +47,16 @@ is_field(const Channel *c)
 	return strcmp(c->name, MESH_UV) != 0 && strcmp(c->name, MESH_OFFSET) != 0 && strcmp(c->name, MESH_SOURCE) != 0;
 }
 
+static int
+is_colour(const Has *has, const Channel *c)
+{
+	return has->colours && c->n == 1 && (strcmp(c->name, "red") == 0 || strcmp(c->name, "green") == 0 ||
+	    strcmp(c->name, "blue") == 0 || strcmp(c->name, "alpha") == 0);
+}
+
 /* A property for each number of a field: NAME, or NAME_0 NAME_1 .. */
 static int
-field_properties(Text *t, const Channels *c)
+field_properties(Text *t, const Has *has, const Channels *c)
 {
 	int k, i;
 
@@ -55,7 +64,8 @@ field_properties(Text *t, const Channels *c)
 		for (i = 0; i < c->channel[k].n && is_field(&c->channel[k]); i++) {
 			if (!text_room(t))
 				return MESH_ENOMEM;
-			t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "property double %s", c->channel[k].name);
+			t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "property %s %s",
+			    is_colour(has, &c->channel[k]) ? "uchar" : "double", c->channel[k].name);
 			if (c->channel[k].n > 1)
 				t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX/2, "_%d", i);
 			text_words(t, "\n");
@@ -85,7 +95,7 @@ plyhead(Text *t, const Soup *s, const Has *has, int size)
 	    "property double x\nproperty double y\nproperty double z\n%s%s%s", s->nv,
 	    has->uv ? "property double s\nproperty double t\n" : "", has->offset ? OFFSET : "",
 	    has->source ? "property int " MESH_SOURCE "\n" : "");
-	if (field_properties(t, &s->channels) || !text_room(t))
+	if (field_properties(t, has, &s->channels) || !text_room(t))
 		return MESH_ENOMEM;
 	t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "element face %d\nproperty list %s int vertex_indices\n%send_header\n",
 	    s->nf, size > 1 ? "int" : "uchar", s->filled ? "property uchar filled\n" : "");
@@ -111,7 +121,9 @@ plyvertex(Text *t, const Soup *s, const Has *has, int i)
 
 		if (!text_room(t))
 			return MESH_ENOMEM;
-		if (is_field(c))
+		if (is_colour(has, c))
+			text_bytes(t, (uint64_t)fmin(fmax(rint(c->f[i]), 0), 255), 1);
+		else if (is_field(c))
 			doubles(t, c->f + (size_t)c->n*i, c->n);
 	}
 	return 0;
@@ -137,7 +149,8 @@ int
 ply_write(Text *t, const Soup *s)
 {
 	const Has has = { channel_values(&s->channels, MESH_UV), channel_values(&s->channels, MESH_OFFSET),
-		channel_values(&s->channels, MESH_SOURCE) };
+		channel_values(&s->channels, MESH_SOURCE), channel_find(&s->channels, "red") &&
+		channel_find(&s->channels, "green") && channel_find(&s->channels, "blue") };
 	const int size = countsize(s);
 	int i, e = 0;
 
