@@ -6,6 +6,7 @@
 #include "shared/formats.h"
 #include "shared/numbered.h"
 #include "grid2mesh/gridfile.h"
+#include "grid2mesh/keep.h"
 #include "grid2mesh/scene.h"
 
 static const char text[] =
@@ -26,7 +27,7 @@ static const char text[] =
 "                     shorter they are against its shortest waves (metadatum waves) [keep]\n"
 "      --filled=drop|keep  faces of MESH that mesh2disk marked as filling holes are left out, and\n"
 "                     the vertices that only they have; or kept [drop]\n"
-"      --keep=FILE    with --on: write FILE, the OBJ or PLY from which MESH was made, with only its\n"
+"      --keep=FILE    with --on: write FILE, the OBJ or PLY from which MESH was made, also by mesh2disk, with only its\n"
 "                     vertices moved and normals computed again: texture coordinates, materials,\n"
 "                     groups, colours, other properties, polygons and order stay as they are\n"
 "      --with=NAMES   also write these channels of GRID, as lambda,H, at the vertices: as\n"
@@ -140,7 +141,7 @@ main(int argc, char *argv[])
 			continue;
 		}
 		if (keep)
-			gridfile_keep_bytes(&in, &g, &mesh, keep, format, &bytes, &n);
+			keep_bytes(&in, &g, &mesh, keep, format, &bytes, &n);
 		else if (alone)
 			gridfile_field_bytes(&in, &g, &mesh, &fields, alone, &bytes, &n);
 		else

@@ -106,3 +106,43 @@ setup_file() {
 	try 1 'continued by' /dev/null grid2mesh --on "$tmp/uv.ply" --keep="$tmp/long.obj" "$tmp/phi" -o "$tmp/no.obj"
 	[ ! -e "$tmp/no.obj" ]
 }
+
+@test "the file that mesh2disk mended: welded vertices move together, parts left out stay, and this is noted" {
+	# the model cut in two along a row, the vertices there twice, and a triangle apart
+	/usr/bin/python3 - "$tmp" <<-'EOF'
+		import sys
+		d, n = sys.argv[1], 13
+		L = open(d + "/model.obj").read().split("\n")
+		v = [l for l in L if l.startswith("v ")]
+		out = v + v[6*n:7*n] + ["v 5 5 5", "v 6 5 5", "v 5 6 5"] + ["vt 0 0", "usemtl skin"]
+		for l in L:
+		    if l.startswith("f "):
+		        k = [int(w.split("/")[0]) for w in l.split()[1:]]
+		        if max(k) > 7*n:
+		            k = [i - 6*n + n*n if 6*n < i <= 7*n else i for i in k]
+		        out.append("f " + " ".join("%d/1" % i for i in k))
+		out.append("f 183/1 184/1 185/1")
+		open(d + "/cut.obj", "w").write("\n".join(out) + "\n")
+	EOF
+	mesh2disk -q "$tmp/cut.obj" -o "$tmp/cut.ply"
+	mesh2rect -q -n 32 --uv="$tmp/cut-uv.ply" "$tmp/cut.ply" -o "$tmp/cut.lhg"
+	try 0 'cut.obj: 3 of 185 vertices are not in .*cut-uv.ply and stay' "$tmp/cut.lhg" \
+	    grid2mesh --on "$tmp/cut-uv.ply" --keep="$tmp/cut.obj" -o "$tmp/back.obj"
+	below "$(error_of "$tmp/cut.obj" "$tmp/back.obj" max_rel)" 1e-9
+	grid2lh "$tmp/cut.lhg" | lhfft --scale=40% | lh2grid -q |
+		grid2mesh -q --on "$tmp/cut-uv.ply" --keep="$tmp/cut.obj" -o "$tmp/cut-smooth.obj"
+	diff <(grep -v '^vn\? ' "$tmp/cut.obj") <(grep -v '^vn\? ' "$tmp/cut-smooth.obj")
+	cmp <(sed -n '79,91p' "$tmp/cut-smooth.obj") <(sed -n '170,182p' "$tmp/cut-smooth.obj")
+	cmp -s <(sed -n '79,91p' "$tmp/cut-smooth.obj") <(sed -n '79,91p' "$tmp/cut.obj") && false
+	grep -q '^v 5 6 5' "$tmp/cut-smooth.obj"
+}
+
+@test "a real textured head in 43 pieces keeps its texture, and comes back at K = 0" {
+	head=$meshes/formats/ict_face_quads_uv.obj
+	[ -e "$head" ] || skip "no meshes in $meshes"
+	mesh2disk -q --weld=auto "$head" -o "$tmp/head.ply"
+	mesh2rect -q -n 64 --uv="$tmp/head-uv.ply" "$tmp/head.ply" -o "$tmp/head"
+	grid2mesh -q --on "$tmp/head-uv.ply" --keep="$head" "$tmp/head" -o "$tmp/head.obj"
+	diff -q <(grep -v '^vn\? ' "$head") <(grep -v '^vn\? ' "$tmp/head.obj")
+	below "$(error_of "$head" "$tmp/head.obj" max_rel)" 1e-9
+}

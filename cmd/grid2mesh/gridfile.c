@@ -12,7 +12,6 @@
 #include "../../lib/mesh/filled.h"
 #include "../../lib/meshfile/facts.h"
 #include "../../lib/meshfile/meshfile.h"
-#include "../../lib/meshfile/rewrite.h"
 #include "../shared/chartof.h"
 #include "../shared/load.h"
 #include "../shared/place.h"
@@ -271,23 +270,4 @@ gridfile_field_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const F
 		die("%s: no memory for %d vertices", in->name, nv);
 	channels_free(&c);
 	free(uv);
-}
-
-void
-gridfile_keep_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const char *keep,
-	const MeshFormat *format, char **bytes, size_t *n)
-{
-	const Fields none = { NULL, 0 };
-	char err[MESH_ERRLEN], *file;
-	size_t size;
-	Soup s;
-
-	file = cmd_slurp(keep, &size);
-	if ((size > 3 && memcmp(file, "ply", 3) == 0) != (strcmp(format->name, "PLY") == 0))
-		die("%s is no %s: the output needs the ending of the file that is kept", keep, format->name);
-	gridfile_soup(in, g, on, &none, 0, format->name, &s);
-	if (rewrite(file, size, s.nv, s.xyz, bytes, n, err))
-		die("%s: %s", keep, err);
-	gridfile_soup_free(on, &s);
-	free(file);
 }

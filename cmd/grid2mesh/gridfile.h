@@ -40,9 +40,4 @@ void gridfile_soup(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fie
 	const char *kind, Soup *s);
 void gridfile_soup_free(const OnMesh *on, Soup *s);
 
-/* Makes the bytes of the file `keep`, an OBJ or PLY with the vertices of the mesh of --on, with these vertices moved.
- * Dies if it is no such file, or of another format than the output. */
-void gridfile_keep_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const char *keep,
-	const MeshFormat *format, char **bytes, size_t *n);
-
 #endif

@@ -40,17 +40,6 @@ clean(char *name)
 			*name = '_';
 }
 
-/* Whether each vertex of s has its number in a file of nv vertices, or -1. */
-static int
-made_from(const Soup *s, const double *source, int nv)
-{
-	int p;
-
-	for (p = 0; p < s->nv && source && source[p] < nv; p++)
-		;
-	return source && p == s->nv;
-}
-
 /* Gives each vertex that has none (known 0) the mean of its neighbours' numbers, from face to face; 0 if no face
  * leads to it. */
 static void
@@ -114,7 +103,7 @@ read_file(const char *path, Soup *s)
 	bytes = cmd_slurp(path, &n);
 	if (fieldfile_parse(bytes, n, name, &c, &nv, err))
 		die("%s: %s", path, err);
-	if (nv != s->nv && !made_from(s, channel_values(&s->channels, MESH_SOURCE), nv))
+	if (nv != s->nv && !channel_source(&s->channels, s->nv, nv))
 		die("%s: %d numbers, the mesh has %d vertices", path, nv, s->nv);
 	for (k = 0; k < c.n; k++) {
 		double *to;

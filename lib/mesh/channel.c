@@ -25,6 +25,18 @@ channel_values(const Channels *c, const char *name)
 	return found ? found->f : NULL;
 }
 
+const double *
+channel_source(const Channels *c, int nv, int most)
+{
+	const double *source = channel_values(c, MESH_SOURCE);
+	int p;
+
+	for (p = 0; p < nv && source; p++)
+		if (!(source[p] >= -1 && source[p] < most))
+			return NULL;
+	return source;
+}
+
 double *
 channel_add(Channels *c, const char *name, int n, size_t nv)
 {

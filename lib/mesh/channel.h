@@ -11,6 +11,9 @@ Channel *channel_find(const Channels *c, const char *name);
 /* The values of the channel of that name, [nv][n], or NULL. */
 double *channel_values(const Channels *c, const char *name);
 
+/* The values of MESH_SOURCE at nv vertices, if all are numbers of vertices of a mesh of `most`, or -1; else NULL. */
+const double *channel_source(const Channels *c, int nv, int most);
+
 /* Finds the channel of that name, or adds one of n numbers at each of nv vertices.  name has fewer
  * than CHANNEL_NAME characters.  Returns the values; those of a new channel are not set.  Returns
  * NULL if memory runs out, with the channels unchanged. */
