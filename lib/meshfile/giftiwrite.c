@@ -53,7 +53,15 @@ metadatum(Text *t, const char *name, const char *value)
 	return 0;
 }
 
-/* The centre of the volume, "x y z", as three metadata. */
+static int
+is_number(const char *word)
+{
+	char *end;
+
+	return isfinite(strtod(word, &end)) && end > word && !*end;
+}
+
+/* The centre of the volume, "x y z", as three metadata; nothing if it is no three numbers. */
 static int
 centre(Text *t, const char *c_ras)
 {
@@ -61,7 +69,8 @@ centre(Text *t, const char *c_ras)
 	char word[3][64];
 	int c, e = 0;
 
-	if (sscanf(c_ras, "%63s %63s %63s", word[0], word[1], word[2]) != 3)
+	if (sscanf(c_ras, "%63s %63s %63s", word[0], word[1], word[2]) != 3 || !is_number(word[0]) ||
+	    !is_number(word[1]) || !is_number(word[2]))
 		return 0;
 	for (c = 0; c < 3 && !e; c++)
 		e = metadatum(t, key[c], word[c]);
@@ -151,7 +160,7 @@ points(Text *t, const Soup *s)
 		    "<DataSpace><![CDATA[%.80s]]></DataSpace>\n"
 		    "<TransformedSpace><![CDATA[NIFTI_XFORM_UNKNOWN]]></TransformedSpace>\n"
 		    "<MatrixData>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</MatrixData>\n</CoordinateSystemTransformMatrix>\n",
-		    strncmp(space, "NIFTI_XFORM_", 12) == 0 ? space : "NIFTI_XFORM_UNKNOWN");
+		    strncmp(space, "NIFTI_XFORM_", 12) == 0 && !strpbrk(space, "<>&]") ? space : "NIFTI_XFORM_UNKNOWN");
 	e = e ? e : close_array(t, &a);
 	free(a.w);
 	return e;
