@@ -184,7 +184,10 @@ map_disk(const Disk *d, const int corner[4], Chart g, const ConformalOptions *op
 	case 0: break;
 	case SPD_ENOMEM: die("no memory: the factor of %d vertices needs %.0f bytes", d->m.nv, report.bytes);
 	case CONFORMAL_ECONES:
-		die("the cones are no two inner points of the surface that can be told apart: --cones");
+		if (options->cone[0] < 0)
+			die("no two inner vertices (of %d) can be told apart in the chart, so no cones: --chart=rectangle",
+			    d->m.nv - d->nb);
+		die("the two cones cannot be told apart in the chart: other --cones, or --chart=rectangle");
 	case SPD_ELARGE: die("%d vertices are more than the solver can number", d->m.nv);
 	default: too_thin(d, report.column);
 	}

@@ -149,6 +149,9 @@ assert abs(H["mean"] + 1) < .01, H["mean"]'
 	try 2 'needs --chart=sock' /dev/null mesh2rect --cones=9,10 "$tmp/cap.off"
 	try 2 'two vertex numbers or two points' /dev/null mesh2rect --chart=sock --cones=9 "$tmp/cap.off"
 	try 1 'cone 0 is a vertex of the boundary' /dev/null mesh2rect --chart=sock --cones=0,900 "$tmp/cap.off"
+	mkmesh -n 8 cap -o "$tmp/one.off"
+	try 1 'no two inner vertices \(of 1\) .*: --chart=rectangle' "$tmp/one.off" mesh2rect --chart=sock
+	mesh2rect -q -n 16 --chart=auto "$tmp/one.off" | head -1 | grep -qx 'lhg 1'
 	try 1 'both cones are vertex 900' /dev/null mesh2rect --chart=sock --cones=900,900 "$tmp/cap.off"
 	try 1 'not a vertex of a face' /dev/null mesh2rect --chart=sock --cones=900,99999 "$tmp/cap.off"
 	try 1 'frame method is for the rectangle' /dev/null lh2grid --method=frame "$tmp/lh"
