@@ -223,10 +223,20 @@ next_stage(int stage, const State *best, State *now, int *idle)
 	return best->mean > UNDONE ? stage + 1 : STAGES;
 }
 
-/* best  in: the start; out: the round with the least mean
- * done  out: the number of that round, if any round lowered the mean */
+/* The share of the mean after the first round below which the later ones have to bring it.  Limbs lie at cones, and
+ * their tips are never conformal on few cells: each round takes nodes away from there.  The first takes out what the map
+ * lacks; the others have to pay. */
+static double
+worthwhile(Chart g)
+{
+	return g.kind->cones ? 0.5 : 1;
+}
+
+/* best   in: the start; out: the round with the least mean, or the first if the others are not worthwhile
+ * first  workspace for the first round
+ * done   out: the number of that round, if any round lowered the mean */
 static int
-iterate(const Sampler *sampler, State *best, State work[2], int rounds, double enough, Shift *shift,
+iterate(const Sampler *sampler, State *best, State work[2], State *first, int rounds, double enough, Shift *shift,
 	double *mu, int *done)
 {
 	int k, e, idle = 0, stage = 0;
@@ -246,7 +256,13 @@ iterate(const Sampler *sampler, State *best, State work[2], int rounds, double e
 			state_copy(next, best);
 			*done = k + 1;
 		}
+		if (k == 0)
+			state_copy(best, first);
 		stage = next_stage(stage, best, next, &idle);
+	}
+	if (*done > 1 && !(best->mean < worthwhile(best->grid.g)*first->mean)) {
+		state_copy(first, best);
+		*done = 1;
 	}
 	return 0;
 }
@@ -258,16 +274,17 @@ polish(const Sampler *sampler, Grid *a, int rounds, double enough, int n, double
 	size_t nodes = (size_t)a->g.nu*a->g.nv;
 	double *room = malloc(3*nodes*sizeof *room);
 	Shift shift = { room, room + nodes, 0 };
-	State best = { *a, n, pu, pv, 0 }, work[2];
-	int e = state_alloc(&work[0], a->g, n), e1 = state_alloc(&work[1], a->g, n);
+	State best = { *a, n, pu, pv, 0 }, work[2], first;
+	int e = state_alloc(&work[0], a->g, n), e1 = state_alloc(&work[1], a->g, n), e2 = state_alloc(&first, a->g, n);
 
 	*done = 0;
-	e = e || e1 || !room ? POLISH_ENOMEM : 0;
+	e = e || e1 || e2 || !room ? POLISH_ENOMEM : 0;
 	if (!e && rounds > 0)
-		e = iterate(sampler, &best, work, rounds, enough, &shift, room + 2*nodes, done);
+		e = iterate(sampler, &best, work, &first, rounds, enough, &shift, room + 2*nodes, done);
 	*a = best.grid;
 	state_free(&work[0]);
 	state_free(&work[1]);
+	state_free(&first);
 	free(room);
 	return e ? POLISH_ENOMEM : 0;
 }
