@@ -29,7 +29,8 @@ static const char text[] =
 "                     the vertices that only they have; or kept [drop]\n"
 "      --keep=FILE    with --on: write FILE, the OBJ or PLY from which MESH was made, also by mesh2disk, with only its\n"
 "                     vertices moved and normals computed again: texture coordinates, materials,\n"
-"                     groups, colours, other properties, polygons and order stay as they are\n"
+"                     groups, colours, other properties, polygons and order stay as they are;\n"
+"                     with --with, numbers alone at the vertices of FILE, a mesh of any format\n"
 "      --with=NAMES   also write these channels of GRID, as lambda,H, at the vertices: as\n"
 "                     properties of PLY and point data of VTP; or alone, to FILE that ends in\n"
 "                     .shape.gii .func.gii (GIFTI) .curv .sulc .thickness (FreeSurfer, one channel);\n"
@@ -88,7 +89,7 @@ int
 main(int argc, char *argv[])
 {
 	static char usage[FORMATS_USAGE];
-	char path[4096], list[MESHFORMAT_LIST], *bytes;
+	char path[4096], list[MESHFORMAT_LIST], ends[FIELDFORMAT_LIST], *bytes;
 	const char *name, *on = NULL, *keep = NULL;
 	OnMesh mesh = { 0 };
 	Fields fields = { NULL, 0 };
@@ -114,15 +115,17 @@ main(int argc, char *argv[])
 		}
 	if ((offsets >= 0 || filled >= 0) && !on)
 		misuse("--%s needs --on", offsets >= 0 ? "detail" : "filled");
-	if (keep && (!on || fields.names))
-		misuse("--keep needs --on, and excludes --with");
+	if (keep && !on)
+		misuse("--keep needs --on");
 	cmd_operands(argc, argv, 0, 1);
 	name = cmd_output();
 	alone = name ? fieldformat_of(name) : NULL;
 	if (!(format = name ? meshformat_of(name) : meshformat(0)) && !alone && !scene_is(name))
 		misuse("--output=%s: need a name that ends in %s", name, meshformat_ends(MESHFORMAT_WRITE, list));
-	if (keep && (alone || !format || !(format->can & MESHFORMAT_UV)))
+	if (keep && !alone && (!format || !(format->can & MESHFORMAT_UV)))
 		misuse("--keep: need -o FILE that ends in %s", meshformat_ends(MESHFORMAT_UV, list));
+	if (keep && !alone && fields.names)
+		misuse("--keep with --with writes numbers alone: need -o FILE that ends in %s", fieldformat_ends(ends));
 	check_with(&fields, scene_is(name) ? NULL : format, alone);
 	many = scene_is(name) || numbered(name);
 	if (on && !alone && !scene_is(name))
@@ -140,7 +143,9 @@ main(int argc, char *argv[])
 			lhg_free(&g);
 			continue;
 		}
-		if (keep)
+		if (keep && alone)
+			keep_field_bytes(&in, &g, &mesh, keep, &fields, alone, &bytes, &n);
+		else if (keep)
 			keep_bytes(&in, &g, &mesh, keep, format, &bytes, &n);
 		else if (alone)
 			gridfile_field_bytes(&in, &g, &mesh, &fields, alone, &bytes, &n);

@@ -182,13 +182,15 @@ import nibabel as nib
 z = nib.load("'"$cortex"'").darrays[0].data[:, 2]
 nib.freesurfer.write_morph_data("lh.height", z)'
 	mesh2rect -q --chart=auto --with="$tmp/lh.height" --uv="$tmp/open-uv.ply" "$tmp/open.ply" | grid2lh >"$tmp/cortex"
-	grid2mesh --on "$tmp/open-uv.ply" --with=lambda,H "$tmp/cortex" -o "$tmp/lh.shape.gii"
+	grid2mesh --on "$tmp/open-uv.ply" --keep="$cortex" --with=lambda,H,height "$tmp/cortex" -o "$tmp/lh.shape.gii"
 	grid2mesh --on "$tmp/open-uv.ply" --with=height "$tmp/cortex" -o "$tmp/height.ply"
 	py '
 import nibabel as nib
 s = nib.load("lh.shape.gii")
 H = s.darrays[1].data
-assert len(H) > 10242 and np.isfinite(H).all()
+z = nib.load("'"$cortex"'").darrays[0].data[:, 2]
+assert len(H) == 10242 and np.isfinite(H).all()     # one for each vertex of the file, which was cut
+assert np.median(abs(s.darrays[2].data - z)) < .1
 p = ply("height.ply")
 assert np.median(abs(p["height"] - ply("open-uv.ply")["z"])) < .1
 assert .1 < np.median(abs(H)) < .4, np.median(abs(H))      # 1/mm: folds of some millimetres'

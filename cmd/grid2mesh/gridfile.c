@@ -254,20 +254,28 @@ gridfile_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields 
 }
 
 void
-gridfile_field_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields *fields,
-	const FieldFormat *format, char **bytes, size_t *n)
+gridfile_fields(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields *fields, const FieldFormat *format,
+	Channels *c)
 {
 	double *uv = on->name ? cmd_alloc((size_t)on->s.nv, 2*sizeof *uv) : NULL;
-	int nv = on->name ? on->s.nv : g->nu*g->nv, nf = on->name ? on->s.nf : 2*chart_of(g).kind->cells(chart_of(g));
-	Channels c = { 0 };
 
 	if (uv)
 		places(in, g, on, uv);
-	fields_add(in, g, fields, nv, uv, &c);
-	if (format->most && c.n > format->most)
+	fields_add(in, g, fields, on->name ? on->s.nv : g->nu*g->nv, uv, c);
+	if (format->most && c->n > format->most)
 		misuse("--with=%s: a %s file holds one channel", fields->names, format->name);
+	free(uv);
+}
+
+void
+gridfile_field_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields *fields,
+	const FieldFormat *format, char **bytes, size_t *n)
+{
+	int nv = on->name ? on->s.nv : g->nu*g->nv, nf = on->name ? on->s.nf : 2*chart_of(g).kind->cells(chart_of(g));
+	Channels c = { 0 };
+
+	gridfile_fields(in, g, on, fields, format, &c);
 	if (fieldfile_write(&c, nv, nf, format, bytes, n))
 		die("%s: no memory for %d vertices", in->name, nv);
 	channels_free(&c);
-	free(uv);
 }

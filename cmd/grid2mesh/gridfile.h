@@ -23,6 +23,10 @@ typedef struct OnMesh {
  * noted, unless keep_filled is not 0. */
 void gridfile_read_mesh(const char *path, int offsets, int keep_filled, OnMesh *on);
 
+/* Adds the fields of such a file to c, or dies. */
+void gridfile_fields(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields *fields, const FieldFormat *format,
+	Channels *c);
+
 /* Makes the bytes of a file of fields alone, at the vertices of the mesh of --on or at the nodes. */
 void gridfile_field_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const Fields *fields,
 	const FieldFormat *format, char **bytes, size_t *n);

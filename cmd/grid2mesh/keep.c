@@ -8,6 +8,7 @@
 #include "../../lib/meshfile/meshfile.h"
 #include "../../lib/meshfile/rewrite.h"
 #include "../shared/claim.h"
+#include "../shared/load.h"
 #include "keep.h"
 
 static const double WELDED = 1e-6;      /* mesh2disk --weld=auto, in diagonals of the bounding box */
@@ -95,9 +96,19 @@ move_welded(Kept *k)
 	return stay;
 }
 
-/* The places of the vertices of the file `keep`, whose vertices are o, with s made from it, the file `mesh`; malloc'd. */
-static double *
-places_in_file(const char *keep, const Soup *o, const char *mesh, const Soup *s, const double *source)
+/* The numbers in the file with vertices o that the vertices of s had, by MESH_SOURCE; NULL if they are the same vertices:
+ * s has no such channel, or o is that file of mesh2disk itself. */
+static const double *
+source_in(const Soup *o, const Soup *s)
+{
+	return o->nv == s->nv && channel_find(&o->channels, MESH_SOURCE) ? NULL :
+	    channel_source(&s->channels, s->nv, o->nv);
+}
+
+/* The vertices o of the file `keep`, and where they go with s, the file `mesh` that was made from it.  what: the others do
+ * this. */
+static Kept
+match(const char *keep, const Soup *o, const char *mesh, const Soup *s, const double *source, const char *what)
 {
 	const size_t nv = (size_t)o->nv;
 	Kept k = { o->nv, o->xyz, cmd_alloc(nv, 3*sizeof(double)), cmd_alloc(nv, sizeof(int)), cmd_alloc(nv, sizeof(double)),
@@ -113,11 +124,69 @@ places_in_file(const char *keep, const Soup *o, const char *mesh, const Soup *s,
 	add_copies(&k, s, source);
 	stay = move_welded(&k);
 	if (stay)
-		note("%s: %d of %d vertices are not in %s and stay where they are", keep, stay, o->nv, mesh);
-	free(k.copies);
-	free(k.distance);
-	free(k.with);
-	return k.to;
+		note("%s: %d of %d vertices are not in %s and %s", keep, stay, o->nv, mesh, what);
+	return k;
+}
+
+static void
+kept_free(Kept *k)
+{
+	free(k->to);
+	free(k->copies);
+	free(k->distance);
+	free(k->with);
+}
+
+/* Sets `to` to the numbers `from` at nv vertices of the mesh: the mean of copies, NaN where there is none. */
+static void
+numbers(const Kept *k, int nv, const double *source, const double *from, double *to)
+{
+	int p, v;
+
+	memset(to, 0, (size_t)k->nv*sizeof *to);
+	for (p = 0; p < nv; p++)
+		if (source[p] >= 0)
+			to[(int)source[p]] += from[p];
+	for (v = 0; v < k->nv; v++)
+		to[v] = k->copies[v] ? to[v]/k->copies[v] : NAN;
+	for (v = 0; v < k->nv; v++)
+		if (!k->copies[v] && k->with[v] >= 0)
+			to[v] = to[k->with[v]];
+}
+
+void
+keep_field_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const char *keep, const Fields *fields,
+	const FieldFormat *format, char **bytes, size_t *n)
+{
+	const double *source;
+	Channels c = { 0 }, to = { 0 };
+	double *f;
+	Soup o;
+	Kept k;
+	int i;
+
+	load_soup_loose(keep, &o);
+	source = source_in(&o, &on->s);
+	if (!source && o.nv != on->s.nv)
+		die("%s: %d vertices, %s has %d, and no numbers of them (source)", keep, o.nv, on->name, on->s.nv);
+	if (!source) {
+		gridfile_field_bytes(in, g, on, fields, format, bytes, n);
+		soup_free(&o);
+		return;
+	}
+	gridfile_fields(in, g, on, fields, format, &c);
+	k = match(keep, &o, on->name, &on->s, source, "get NaN");
+	for (i = 0; i < c.n; i++) {
+		if (!(f = channel_add(&to, c.channel[i].name, 1, (size_t)o.nv)))
+			die("%s: no memory for the numbers of %d vertices", keep, o.nv);
+		numbers(&k, on->s.nv, source, c.channel[i].f, f);
+	}
+	if (fieldfile_write(&to, o.nv, o.nf, format, bytes, n))
+		die("%s: no memory for %d vertices", keep, o.nv);
+	channels_free(&c);
+	channels_free(&to);
+	kept_free(&k);
+	soup_free(&o);
 }
 
 void
@@ -127,7 +196,8 @@ keep_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const char *keep,
 	const Fields none = { NULL, 0 };
 	char err[MESH_ERRLEN], *file;
 	const double *source;
-	double *xyz, *moved = NULL;
+	double *xyz;
+	Kept k = { 0 };
 	size_t size;
 	Soup s, o;
 	int nv;
@@ -140,14 +210,15 @@ keep_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const char *keep,
 	gridfile_soup(in, g, on, &none, 0, format->name, &s);
 	nv = s.nv;
 	xyz = s.xyz;
-	if (o.nv != s.nv && (source = channel_source(&s.channels, s.nv, o.nv))) {
-		xyz = moved = places_in_file(keep, &o, on->name, &s, source);
+	if ((source = source_in(&o, &s))) {
+		k = match(keep, &o, on->name, &s, source, "stay where they are");
+		xyz = k.to;
 		nv = o.nv;
 	}
 	if (rewrite(file, size, nv, xyz, bytes, n, err))
 		die("%s: %s", keep, err);
 	gridfile_soup_free(on, &s);
 	soup_free(&o);
-	free(moved);
+	kept_free(&k);
 	free(file);
 }

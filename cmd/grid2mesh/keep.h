@@ -11,4 +11,9 @@
 void keep_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const char *keep, const MeshFormat *format,
 	char **bytes, size_t *n);
 
+/* Makes the bytes of a file of the fields alone, at the vertices of the mesh file `keep`, in the same way: the mean of the
+ * copies of a vertex, NaN at those of parts left out. */
+void keep_field_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const char *keep, const Fields *fields,
+	const FieldFormat *format, char **bytes, size_t *n);
+
 #endif
