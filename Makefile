@@ -192,7 +192,7 @@ soak: all tests
 FUZZ_SECONDS = 60
 FUZZLIB := $(patsubst %.c,build/fuzz/%.o,$(wildcard format/*.c) $(wildcard lib/meshfile/*.c) \
            lib/mesh/fail.c lib/mesh/mesh.c lib/mesh/channel.c lib/base/base64.c lib/base/chart.c lib/base/sheet.c \
-           lib/base/sockplane.c)
+           lib/base/sockplane.c lib/base/pillowplane.c)
 
 fuzz:
 	scripts/deps --fuzz

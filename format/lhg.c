@@ -28,7 +28,7 @@ lhg_free(Lhg *g)
 
 /* ---- channels -------------------------------------------------------- */
 
-static const char *const chart_word[] = { "rectangle", "sock" };
+static const char *const chart_word[] = { "rectangle", "sock", "pillow" };
 
 const char *
 lhg_chartname(int chart)
@@ -41,7 +41,7 @@ lhg_chart(const char *name)
 {
 	int k;
 
-	for (k = LHG_SOCK; k >= 0 && strcmp(name, chart_word[k]) != 0; k--)
+	for (k = LHG_PILLOW; k >= 0 && strcmp(name, chart_word[k]) != 0; k--)
 		;
 	return k;
 }
@@ -58,9 +58,9 @@ lhg_count(const Lhg *g, int support, int step)
 		return step == 0 ? (size_t)nu*nv : 0;
 	if (step < 1 || step >= (nu > nv ? nu : nv))
 		return 0;
-	if (support == LHG_LATTICE && g->chart == LHG_RECTANGLE)
+	if (support == LHG_LATTICE && g->chart != LHG_SOCK)
 		return (size_t)((nu-1)/step + 1)*((nv-1)/step + 1);
-	if (support != LHG_BORDER)
+	if (support != LHG_BORDER || g->chart == LHG_PILLOW)
 		return 0;
 	if (g->chart == LHG_SOCK)
 		return (size_t)nu*(step < nv ? step : nv);

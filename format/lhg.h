@@ -47,13 +47,14 @@ enum {
 /* What the sides of the chart are: LHG.md 2.1. */
 enum {
 	LHG_RECTANGLE,          /* all four sides are edges */
-	LHG_SOCK                /* periodic in u, folded at v = 0; the only edge is v = T */
+	LHG_SOCK,               /* periodic in u, folded at v = 0; the only edge is v = T */
+	LHG_PILLOW              /* periodic in u, folded at v = 0 and v = T; no edge */
 };
 
 /* Which nodes a channel covers, in row order (j slowest, i fastest). */
 enum {
 	LHG_GRID,               /* all */
-	LHG_BORDER,             /* less than `step` steps from an edge */
+	LHG_BORDER,             /* less than `step` steps from an edge; not on the pillow */
 	LHG_LATTICE             /* i and j multiples of `step`; not on the sock */
 };
 
@@ -68,7 +69,7 @@ typedef struct LhgChannel {
 typedef struct Lhg {
 	int        nu, nv;              /* nodes, LHG_MINN .. LHG_MAXN each */
 	double     T;                   /* height of the chart, > 0 */
-	int        chart;               /* LHG_RECTANGLE or LHG_SOCK */
+	int        chart;               /* LHG_RECTANGLE, LHG_SOCK or LHG_PILLOW */
 	int        frame, frames;       /* this is grid `frame` of `frames`, counted from 1 */
 	int        nchan;
 	LhgChannel chan[LHG_MAXCHAN];

@@ -69,10 +69,11 @@ lhg_check(LhgStream *s, const Lhg *g)
 
 	if (g->nu < LHG_MINN || g->nu > LHG_MAXN || g->nv < LHG_MINN || g->nv > LHG_MAXN)
 		return lhg_fail(s, g, LHG_ELIMIT, "size is not %d to %d nodes each way", LHG_MINN, LHG_MAXN);
-	if (g->chart != LHG_RECTANGLE && g->chart != LHG_SOCK)
+	if (g->chart != LHG_RECTANGLE && g->chart != LHG_SOCK && g->chart != LHG_PILLOW)
 		return lhg_fail(s, g, LHG_ELIMIT, "the chart is not known");
-	if (g->chart == LHG_SOCK && g->nu % 2)
-		return lhg_fail(s, g, LHG_ELIMIT, "a sock has an even number of nodes along u, not %d", g->nu);
+	if (g->chart != LHG_RECTANGLE && g->nu % 2)
+		return lhg_fail(s, g, LHG_ELIMIT, "a %s has an even number of nodes along u, not %d",
+		    lhg_chartname(g->chart), g->nu);
 	if (!(g->T > 0) || !isfinite(g->T))
 		return lhg_fail(s, g, LHG_ELIMIT, "height is not a positive number");
 	if (g->frame < 1 || g->frame > g->frames || g->frames > LHG_MAXFRAMES)

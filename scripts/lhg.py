@@ -24,7 +24,7 @@ ALIGN = 64
 MAXHEAD, MAXLINE = 65536, 4000
 MAXN, MAXFRAMES, MAXCHAN = 32768, 1000000, 64
 MAGICS = b"lhg 1\n", b"lhg 2\n"        # section 2: the rectangle, other charts
-CHARTS = "rectangle", "sock"
+CHARTS = "rectangle", "sock", "pillow"
 END = b"\nlhg end\x89\r\n\x1a\n" + bytes(50) + b"\n"            # section 4
 
 COUNT = r"(0|[1-9][0-9]{0,9})"
@@ -96,8 +96,8 @@ def check(grid):
         raise Error("size is not 2 to %d nodes each way" % MAXN)
     if grid.chart not in CHARTS:
         raise Error("the chart is not known")
-    if grid.chart == "sock" and grid.nu % 2:
-        raise Error("a sock has an even number of nodes along u")
+    if grid.chart != "rectangle" and grid.nu % 2:
+        raise Error("a %s has an even number of nodes along u" % grid.chart)
     if not (grid.T > 0 and math.isfinite(grid.T)):
         raise Error("height is not a positive number")
     if not 1 <= grid.frame <= grid.frames <= MAXFRAMES:
@@ -105,8 +105,8 @@ def check(grid):
     if not 1 <= len(grid.channels) <= MAXCHAN:
         raise Error("number of channels is not 1 to %d" % MAXCHAN)
     for name, c in grid.channels.items():
-        if c.support == "lattice" and grid.chart == "sock":
-            raise Error("channel %s: a sock has no lattice" % name)
+        if (c.support, grid.chart) in (("lattice", "sock"), ("border", "pillow")):
+            raise Error("channel %s: a %s has no %s" % (name, grid.chart, c.support))
         if c.support != "grid" and not 1 <= c.step <= max(grid.nu, grid.nv) - 1:
             raise Error("the step of channel %s does not suit the grid" % name)
 
@@ -202,7 +202,7 @@ def parse_head(head):
     T, = need(r"height ([0-9.e+-]{1,39})")
     frame, frames, crc = need("frame %s %s ([0-9a-f]{8})" % (COUNT, COUNT))
     try:
-        chart, = need("chart (sock)") if version == "2" else ("rectangle",)
+        chart, = need("chart (sock|pillow)") if version == "2" else ("rectangle",)
         grid = Grid(int(nu), int(nv), float(T), int(frame), int(frames), chart)
     except ValueError:
         raise Error("header line 3 is malformed") from None

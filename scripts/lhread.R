@@ -4,7 +4,7 @@
 #     g <- lhread("face.lhg")[[1]]             # one list for each grid of the stream
 #     image(g$channels$H$data)                 # data[i, j] at u = (i-1)/(nu-1), v = (j-1) T/(nv-1)
 #
-# Each grid is a list of chart ("rectangle", "sock"), nu, nv, T, frame, frames, channels (by name: unit,
+# Each grid is a list of chart ("rectangle", "sock", "pillow"), nu, nv, T, frame, frames, channels (by name: unit,
 # support, step, data), meta (a named vector) and history.  data is a matrix nu x nv for support "grid",
 # else a vector, row after row.  Whatever is wrong stops with one line.  Written from format/LHG.md, whose sections are cited;
 # every CRC is checked.  Needs no package.
@@ -190,14 +190,14 @@ lhg_head <- function(bytes, at) {
 	size <- as.numeric(need(paste("size", lhg_number, lhg_number)))
 	T <- lhg_height(need("height ([0-9.e+-]{1,39})"))
 	frame <- need(paste("frame", lhg_number, lhg_number, "([0-9a-f]{8})"))
-	chart <- if (version == "2") need("chart (sock)") else "rectangle"
+	chart <- if (version == "2") need("chart (sock|pillow)") else "rectangle"
 	g <- list(chart = chart, nu = size[1], nv = size[2], T = T,
 	    frame = as.numeric(frame[1]), frames = as.numeric(frame[2]),
 	    channels = list(), meta = character(), history = character())
 	if (any(size < 2 | size > 32768) || g$frame < 1 || g$frame > g$frames || g$frames > 1e6)
 		lhg_stop("size or frame is out of range")
-	if (chart == "sock" && size[1] %% 2 == 1)
-		lhg_stop("a sock has an even number of nodes along u")
+	if (chart != "rectangle" && size[1] %% 2 == 1)
+		lhg_stop("a ", chart, " has an even number of nodes along u")
 	channel <- paste0("channel ([A-Za-z0-9._+-]{1,31}) ([A-Za-z0-9._+/^*-]{1,31}) ",
 	    "(grid|(border|lattice) ", lhg_number, ")")
 	while (!is.null(m <- match(channel))) {
@@ -205,8 +205,8 @@ lhg_head <- function(bytes, at) {
 		if (m[1] %in% names(g$channels) || (m[3] != "grid" && (step < 1 || step > max(size) - 1)))
 			lhg_stop("channel ", m[1], " is there twice, or its step does not suit the grid")
 		support <- if (m[3] == "grid") "grid" else m[4]
-		if (support == "lattice" && chart == "sock")
-			lhg_stop("channel ", m[1], ": a sock has no lattice")
+		if ((support == "lattice" && chart == "sock") || (support == "border" && chart == "pillow"))
+			lhg_stop("channel ", m[1], ": a ", chart, " has no ", support)
 		g$channels[[m[1]]] <- list(unit = m[2], support = support, step = step, data = NULL)
 	}
 	if (length(g$channels) < 1 || length(g$channels) > 64)

@@ -5,7 +5,7 @@ function grids = lhread(path)
 %     H = g(1).channels(strcmp({g(1).channels.name}, 'H')).data;
 %     imagesc(H'); axis xy                     % H(i,j) at u = (i-1)/(nu-1), v = (j-1) T/(nv-1)
 %
-% Each grid has chart ('rectangle', 'sock'), nu, nv, T, frame, frames; channels, a struct array of name,
+% Each grid has chart ('rectangle', 'sock', 'pillow'), nu, nv, T, frame, frames; channels, a struct array of name,
 % unit, support, step, data;
 % meta, a cell {key, value} for each datum; and history, a cell of lines.  data is nu x nv for support
 % 'grid', else a column, row of nodes after row.  Whatever is wrong is an error of one line.  Written from
@@ -177,7 +177,7 @@ named = frame{3};
 k = 5;
 chart = {'rectangle'};
 if version{1} == '2'
-	chart = need(lines, k, 'chart (sock)');
+	chart = need(lines, k, 'chart (sock|pillow)');
 	k = k + 1;
 end
 g = struct('chart', chart{1}, 'nu', size(1), 'nv', size(2), 'T', height_of(T{1}), ...
@@ -186,12 +186,15 @@ g = struct('chart', chart{1}, 'nu', size(1), 'nv', size(2), 'T', height_of(T{1})
 if any(size < 2 | size > 32768) || g.frame < 1 || g.frame > g.frames || g.frames > 1000000
 	error('lhread: size or frame is out of range');
 end
-if strcmp(g.chart, 'sock') && mod(g.nu, 2) == 1
-	error('lhread: a sock has an even number of nodes along u');
+if ~strcmp(g.chart, 'rectangle') && mod(g.nu, 2) == 1
+	error('lhread: a %s has an even number of nodes along u', g.chart);
 end
 [g.channels, k] = read_channels(lines, k, max(size), count);
 if strcmp(g.chart, 'sock') && any(strcmp({g.channels.support}, 'lattice'))
 	error('lhread: a sock has no lattice');
+end
+if strcmp(g.chart, 'pillow') && any(strcmp({g.channels.support}, 'border'))
+	error('lhread: a pillow has no border');
 end
 text = '([^ ]|[^ ].*[^ ])';
 while ~isempty(parts(lines, k, ['meta ([A-Za-z0-9._+-]{1,63}) ' text]))

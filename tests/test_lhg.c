@@ -682,7 +682,7 @@ badgrids(void **state)
 	sample(&g, 5, 4, 1, 1), g.nu = 1, unwritten(&g, LHG_ELIMIT);
 	sample(&g, 5, 4, 1, 1), g.nv = 32769, unwritten(&g, LHG_ELIMIT);
 	sample(&g, 5, 4, 1, 1), g.T = 0, unwritten(&g, LHG_ELIMIT);
-	sample(&g, 5, 4, 1, 1), g.chart = LHG_SOCK + 1, unwritten(&g, LHG_ELIMIT);
+	sample(&g, 5, 4, 1, 1), g.chart = LHG_PILLOW + 1, unwritten(&g, LHG_ELIMIT);
 	sample(&g, 4, 4, 1, 1), g.chart = LHG_SOCK, unwritten(&g, LHG_ELIMIT);      /* start.x is a lattice */
 	sample(&g, 5, 4, 1, 1), g.T = NAN, unwritten(&g, LHG_ELIMIT);
 	sample(&g, 5, 4, 1, 1), g.T = INFINITY, unwritten(&g, LHG_ELIMIT);
@@ -851,12 +851,15 @@ supports(void **state)
 		for (nv = 2; nv <= 10; nv++) {
 			checksupport(LHG_RECTANGLE, nu, nv, LHG_GRID, 0);
 			checksupport(LHG_SOCK, nu, nv, LHG_GRID, 0);
+			checksupport(LHG_PILLOW, nu, nv, LHG_GRID, 0);
 			assert_int_equal(count(LHG_RECTANGLE, nu, nv, LHG_GRID, 1), 0);
 			for (step = 1; step < (nu > nv ? nu : nv); step++) {
 				checksupport(LHG_RECTANGLE, nu, nv, LHG_BORDER, step);
 				checksupport(LHG_SOCK, nu, nv, LHG_BORDER, step);
 				checksupport(LHG_RECTANGLE, nu, nv, LHG_LATTICE, step);
+				checksupport(LHG_PILLOW, nu, nv, LHG_LATTICE, step);
 				assert_int_equal(count(LHG_SOCK, nu, nv, LHG_LATTICE, step), 0);
+				assert_int_equal(count(LHG_PILLOW, nu, nv, LHG_BORDER, step), 0);
 			}
 			for (step = -1; step <= 0; step++) {
 				assert_int_equal(count(LHG_RECTANGLE, nu, nv, LHG_BORDER, step), 0);

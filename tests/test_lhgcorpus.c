@@ -124,6 +124,15 @@ socks(Lhg *g, int m)
 	channel(g, "b5", "1", LHG_BORDER, 5);
 }
 
+static void
+pillows(Lhg *g, int m)
+{
+	lhg_init(g, 8, 5, 0.7);
+	g->chart = LHG_PILLOW;
+	channel(g, m ? "lambda" : "x", "length", LHG_GRID, 0);
+	channel(g, "start.x", "length", LHG_LATTICE, 3);
+}
+
 /* The longest names, keys and texts, and all kinds of characters that they may have. */
 static void
 texts(Lhg *g, int m)
@@ -152,7 +161,8 @@ static const struct Good {
 	{ "v1-smallest", 1, smallest }, { "v1-supports", 1, supports }, { "v1-sets", 6, sets },
 	{ "v1-thin", 2, thin }, { "v1-numbers", 1, numbers },
 	{ "v1-heights", sizeof height/sizeof *height, heights }, { "v1-channels", 1, channels },
-	{ "v1-texts", 1, texts }, { "v2-socks", 3, socks }
+	{ "v1-texts", 1, texts }, { "v2-socks", 3, socks },
+	{ "v2-pillows", 2, pillows }
 };
 enum { GOOD = sizeof good/sizeof *good };
 
@@ -381,6 +391,10 @@ static const struct Bad {
 	{ "chart-sock-odd", FLAT("5 4", "chart sock\n"), NULL,
 	    "a sock has an even number of nodes along u, not 5" },
 	{ "chart-sock-lattice", SOCK("chart sock\nchannel x 1 grid\nchannel y 1 lattice 2\n"), NULL,
+	    "the support of channel y does not suit a grid of 4 x 5 nodes" },
+	{ "chart-pillow-odd", FLAT("5 4", "chart pillow\n"), NULL,
+	    "a pillow has an even number of nodes along u, not 5" },
+	{ "chart-pillow-border", SOCK("chart pillow\nchannel x 1 grid\nchannel y 1 border 2\n"), NULL,
 	    "the support of channel y does not suit a grid of 4 x 5 nodes" },
 	{ "order-chart-before-frame",
 	    "lhg 2\nsize 4 5\nheight 1\nchart sock\nframe 1 1 00000000\nchannel x 1 grid\n", NULL,

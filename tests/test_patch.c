@@ -172,7 +172,7 @@ resolved_grids_have_no_patch(void **state)
 static void
 threads_change_no_bit(void **state)
 {
-	Misfit m = misfit_with_peaks(&PILLOW, 0.8);
+	Misfit m = misfit_with_peaks(&CHART_PILLOW, 0.8);
 	Patch p;
 	int threads;
 

@@ -1,9 +1,11 @@
-/* test_sockplane.c - the unit disk on the sock: symmetries, round trips, derivatives, known moduli. */
+/* test_sockplane.c - the unit disk on the sock, and the sphere on the pillow: symmetries, round trips, derivatives, known
+ * moduli. */
 #include <math.h>
 
 #include "cmock.h"
 
 #include "../lib/base/chart.h"
+#include "../lib/base/pillowplane.h"
 #include "../lib/base/sheet.h"
 #include "../lib/base/sockplane.h"
 
@@ -177,6 +179,87 @@ test_round_factor_has_the_area_of_a_hemisphere(void **state)
 	}
 }
 
+/* ---- the pillow ------------------------------------------------------ */
+
+static double complex
+pillow_point(const PillowPlane *p, double u, double v)
+{
+	double complex Z[2];
+
+	pillowplane_z(p, u, v, Z);
+	return Z[0]/Z[1];
+}
+
+/* The cones, and the symmetries by turns about those of either fold: z is continued by the formula, through the
+ * elliptic function of the sock, beyond v = T/2. */
+static void
+test_pillow_is_two_socks(void **state)
+{
+	double e = 1e-4;
+	int t, i;
+
+	(void)state;
+	for (t = 2; t < HEIGHTS; t++) {
+		PillowPlane p = pillowplane(2*HEIGHT[t]);
+		double s = p.half.s;
+
+		assert_true(cabs(pillow_point(&p, 0, 0) + s) < 1e-14*s && cabs(pillow_point(&p, .5, 0) - s) < 1e-14*s);
+		assert_true(cabs(pillow_point(&p, 0, p.T) + 1/s) < 1e-13/s && cabs(pillow_point(&p, .5, p.T) - 1/s) < 1e-13/s);
+		for (i = 0; i < POINTS; i++) {
+			double u = (i + .3)/POINTS, v = p.T/2;
+			double complex up = pillow_point(&p, u, v + e), down = pillow_point(&p, u, v - e);
+			double complex right = pillow_point(&p, u + e, v), left = pillow_point(&p, u - e, v);
+
+			assert_true(cabs((up - down) - I*(right - left)) < 1e-5*cabs(right - left));
+			assert_true(cabs(pillow_point(&p, u, p.T) - pillow_point(&p, 1 - u, p.T)) < 1e-12*cabs(pillow_point(&p, u, p.T)));
+		}
+	}
+}
+
+static void
+test_pillow_round_trip(void **state)
+{
+	double u, v, U, V, du, far;
+	double complex Z[2];
+	int t, q;
+
+	(void)state;
+	for (t = 0; t < HEIGHTS; t++) {
+		PillowPlane p = pillowplane(2*HEIGHT[t]);
+
+		for (q = 0; q < POINTS*POINTS; q++) {
+			u = (q%POINTS + .3)/POINTS, v = (q/POINTS + .4)/POINTS*p.T;
+			pillowplane_z(&p, u, v, Z);
+			assert_true(fabs(fmax(cabs(Z[0]), cabs(Z[1])) - 1) < 1e-15);
+			Z[0] *= 2 - I, Z[1] *= 2 - I;
+			pillowplane_uv(&p, Z, &U, &V);
+			du = fabs(U - u);
+			far = 1e-13 + 1e-14/sockplane_stretch(&p.half, u, fmin(v, p.T - v));
+			assert_true(fmin(du, 1 - du) < far && fabs(V - v) < far);
+		}
+	}
+}
+
+/* By the sum over the nodes. */
+static void
+test_pillow_round_factor_has_the_area_of_a_sphere(void **state)
+{
+	int p, t;
+
+	(void)state;
+	for (t = 2; t < HEIGHTS - 1; t++) {
+		Chart g = { 128, (int)(256*HEIGHT[t] + .5), 2*HEIGHT[t], &CHART_PILLOW };
+		double *lambda0 = malloc((size_t)g.nu*g.nv*sizeof *lambda0), area = 0;
+
+		assert_non_null(lambda0);
+		chart_round(g, lambda0);
+		for (p = 0; p < g.nu*g.nv; p++)
+			area += lambda0[p]*lambda0[p]*chart_h(g)*chart_k(g);
+		assert_true(fabs(area/(4*M_PI) - 1) < 3e-4);
+		free(lambda0);
+	}
+}
+
 /* chart_round makes use of symmetries. */
 static void
 round_factor_of_the_chart(void **state)
@@ -195,6 +278,14 @@ round_factor_of_the_chart(void **state)
 		for (p = 0; p < g.nu*g.nv; p++)
 			assert_true(fabs(lambda0[p]/sockplane_round(&plane, chart_u(g, p%g.nu), chart_v(g, p/g.nu)) - 1) < 1e-12);
 	}
+	for (k = 0; k < 24; k++) {
+		Chart g = { columns[k/4], 9 - k%2, height[k%4], &CHART_PILLOW };
+		PillowPlane plane = pillowplane(g.T);
+
+		chart_round(g, lambda0);
+		for (p = 0; p < g.nu*g.nv; p++)
+			assert_true(fabs(lambda0[p]/pillowplane_round(&plane, chart_u(g, p%g.nu), chart_v(g, p/g.nu)) - 1) < 1e-12);
+	}
 }
 
 int
@@ -208,6 +299,9 @@ main(void)
 		cmocka_unit_test(test_height_of_the_distance_of_the_cones),
 		cmocka_unit_test(test_stretch_is_the_derivative),
 		cmocka_unit_test(test_round_factor_has_the_area_of_a_hemisphere),
+		cmocka_unit_test(test_pillow_is_two_socks),
+		cmocka_unit_test(test_pillow_round_trip),
+		cmocka_unit_test(test_pillow_round_factor_has_the_area_of_a_sphere),
 		cmocka_unit_test(round_factor_of_the_chart),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -63,8 +63,8 @@ wave(Chart g, double u, double v)
 {
 	if (g.kind == &TUBE)
 		return exp(u)*sin(2*M_PI*v/g.T + 1);
-	if (g.kind == &PILLOW)
-		return cos(M_PI*(u + 2*v/g.T)) + cos(M_PI*(3*u - 2*v/g.T));
+	if (g.kind == &CHART_PILLOW)
+		return cos(M_PI*(2*u + v/g.T)) + cos(M_PI*(4*u - 3*v/g.T));
 	if (g.kind == &CHART_SOCK)
 		return cos(2*M_PI*(u + 0.3*v)) + cos(2*M_PI*(2*u - 0.2*v)) + v*v;
 	return sin(3*u + v);

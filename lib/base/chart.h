@@ -4,7 +4,7 @@
  *
  *   phi      position in R^3 at node (i,j): arrays phi[0], phi[1], phi[2] = x, y, z
  *   h, k     grid steps along u and v; on the rectangle h = 1/(nu-1), k = T/(nv-1)   (23);
- *            on the sock h = 1/nu, k = T/(nv-1/2)
+ *            on the sock h = 1/nu, k = T/(nv-1/2); on the pillow h = 1/nu, k = T/nv
  *   lambda   conformal factor > 0: |phi_u| = |phi_v| = lambda, <phi_u, phi_v> = 0
  *   n        unit normal, phi_u x phi_v / |phi_u x phi_v|
  *   H        mean curvature, <Delta phi, n> / (2 lambda^2); -1 on the unit sphere whose
@@ -42,9 +42,10 @@ typedef struct ChartKind {
 	 * as it does; lambda over it does not.  NULL: 1 everywhere. */
 	void (*round)(Chart g, double *lambda0);
 
-	int    folded;          /* 1: the side v = 0 is glued to itself, (u,0) to (1-u,0) */
-	int    cones;           /* cone points of angle pi, at (cone[0][0],cone[0][1]), .. */
-	double cone[2][2];
+	int    folded;          /* how many sides, v = 0 and then v = T, are glued to themselves, (u,0) to (1-u,0) */
+	int    closed;          /* 1: no side is open */
+	int    cones;           /* cone points of angle pi, at u = cone[0][0], v = T cone[0][1], .. */
+	double cone[4][2];
 } ChartKind;
 
 struct Chart {
@@ -57,8 +58,12 @@ struct Chart {
  *
  * The sock: periodic in u, open at v = T, and folded at v = 0, where (u,-v) and (1-u,v) are the same
  * point.  So the only boundary is v = T, and (0,0) and (1/2,0) are cone points of angle pi, between
- * nodes.  nu is even, since i and nu-1-i are neighbours across the fold. */
-extern const ChartKind CHART_RECTANGLE, CHART_SOCK;
+ * nodes.  nu is even, since i and nu-1-i are neighbours across the fold.
+ *
+ * The pillow: periodic in u, folded at v = 0 and at v = T, where (u,T+v) and (1-u,T-v) are the same
+ * point.  There is no boundary, and the cone points are (0,0), (1/2,0), (0,T), (1/2,T).  The sock of height
+ * T/2 is half of it.  nu is even. */
+extern const ChartKind CHART_RECTANGLE, CHART_SOCK, CHART_PILLOW;
 
 /* The kind of that name, or NULL. */
 const ChartKind *chart_kind(const char *name);

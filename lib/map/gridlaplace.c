@@ -145,7 +145,7 @@ near_cone(Chart g, int i, int j)
 
 	for (c = 0; c < g.kind->cones; c++) {
 		du = fabs(chart_u(g, i) + h/2 - g.kind->cone[c][0]);
-		dv = chart_v(g, j) + k/2 - g.kind->cone[c][1];
+		dv = chart_v(g, j) + k/2 - g.T*g.kind->cone[c][1];
 		if (hypot(fmin(du, fabs(1 - du))/h, dv/k) < RING)
 			return 1;
 	}
