@@ -290,6 +290,47 @@ threads_change_no_bit(void **state)
 	assert_memory_equal(&dot[0], &dot[1], sizeof dot[0]);
 }
 
+static void
+plate_inverts_on_the_pillow(void **state)
+{
+	static const Chart charts[] = { { 18, 13, 0.7, &CHART_PILLOW }, { 12, 19, 1.6, &CHART_PILLOW },
+		{ 4, 3, 1, &CHART_PILLOW }, { 26, 4, .1, &CHART_PILLOW }, { 6, 16, 3, &CHART_PILLOW } };
+	double x[3*234], z[3*234], least, y[234], yy[234], h2, k2;
+	unsigned long long seed = 7;
+	int q, c, p, n, twice, sign = 1;
+	Plate plate;
+
+	(void)state;
+	for (q = 0; q < 5; q++) {
+		Chart g = charts[q];
+
+		n = g.nu*g.nv;
+		h2 = chart_h(g)*chart_h(g), k2 = chart_k(g)*chart_k(g);
+		least = fmin((2 - 2*cos(2*M_PI/g.nu))/h2, (2 - 2*cos(M_PI/g.nv))/k2);
+		for (p = 0; p < 3*n; p++)
+			z[p] = x[p] = noise(&seed);
+		assert_int_equal(plate_init(&plate, g, 0), 0);
+		plate_solve(&plate, 0.3, 50, 0, z);
+		for (c = 0; c < 3; c++) {
+			for (twice = 0; twice < 2; twice++) {
+				const double *from = twice ? y : z + c*n;
+				double *to = twice ? yy : y;
+
+				for (p = 0; p < n; p++) {
+					int i = p%g.nu, j = p/g.nu;
+
+					to[p] = (2*from[p] - from[stencil_node(g, i-1, j, &sign)] -
+					    from[stencil_node(g, i+1, j, &sign)])/h2 + (2*from[p] -
+					    from[stencil_node(g, i, j-1, &sign)] - from[stencil_node(g, i, j+1, &sign)])/k2;
+				}
+			}
+			for (p = 0; p < n; p++)
+				assert_true(fabs(0.3*yy[p] + 50*y[p] + 50*least*z[c*n+p] - x[c*n+p]) < 1e-8);
+		}
+		plate_free(&plate);
+	}
+}
+
 int
 main(void)
 {
@@ -299,6 +340,7 @@ main(void)
 		cmocka_unit_test(fast_sizes_have_small_factors),
 		cmocka_unit_test(plate_inverts),
 		cmocka_unit_test(free_plate_inverts),
+		cmocka_unit_test(plate_inverts_on_the_pillow),
 		cmocka_unit_test(plate_inverts_on_the_sock),
 		cmocka_unit_test(threads_change_no_bit),
 	};

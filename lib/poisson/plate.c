@@ -1,5 +1,5 @@
 /* plate.c - sine or cosine transform, division by the eigenvalues of P, inverse transform.  Here the
- * rectangle; the sock is in platefold.c.
+ * rectangle; the sock and the pillow are in platefold.c.
  *
  * A two-dimensional transform consists of one-dimensional ones, first of the rows, then of the
  * columns.  The rows of all three fields are divided among the threads, and no FFTW plan depends
@@ -158,6 +158,7 @@ static const struct {
 } known[] = {
 	{ &CHART_RECTANGLE, rectangle_init, rectangle_solve },
 	{ &CHART_SOCK, platefold_init, platefold_solve },
+	{ &CHART_PILLOW, platefold_init, platefold_solve },
 };
 
 static int
@@ -178,11 +179,11 @@ plate_free(Plate *p)
 	for (k = 0; k < 2; k++) {
 		transform_free(&p->transform[k]);
 		free(p->eigenvalue[k]);
+		if (p->plan[k])
+			fftw_destroy_plan(p->plan[k]);
+		if (p->column[k])
+			fftw_destroy_plan(p->column[k]);
 	}
-	if (p->plan[0])
-		fftw_destroy_plan(p->plan[0]);
-	if (p->plan[1])
-		fftw_destroy_plan(p->plan[1]);
 	fftw_free(p->work);
 	memset(p, 0, sizeof *p);
 }
@@ -202,6 +203,8 @@ plate_fast(Chart g)
 {
 	if (!g.kind->folded)
 		return g;
+	if (g.kind->closed)
+		return (Chart){ transform_fast_size((g.nu + 1)/2*2, 2), transform_fast_size(2*g.nv, 2)/2, g.T, g.kind };
 	return (Chart){ transform_fast_size((g.nu + 1)/2*2, 2), (transform_fast_size(2*g.nv - 1, 2) + 1)/2, g.T, g.kind };
 }
 

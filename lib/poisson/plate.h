@@ -7,7 +7,8 @@
  *
  *   P = W (a Delta^2 - b Delta + c + c0)   with the fields mirrored at the border.
  *
- * The eigenvectors are products of cosines, along u on the sock of cosines and sines.  W is diagonal:
+ * The eigenvectors are products of cosines, along u on the sock of cosines and sines.  The pillow has no
+ * border and is always solved like this, with waves cos(2 pi m u + pi n v/T).  W is diagonal:
  * 1/4 in the corners, 1/2 on the rest of the border, 1 inside; it makes P symmetric.  c0 is b times the smallest positive eigenvalue of
  * -Delta; it makes P positive definite.  Constants are then treated like the longest waves, which
  * is harmless, since the misfit does not change when a constant is added to a field.
@@ -24,18 +25,19 @@ typedef struct Plate {
 	Chart     g;
 	double   *eigenvalue[2];        /* of the negative second differences along u and v */
 	int       free;                 /* 1: free border, cosines; 0: held border, sines */
-	Transform transform[2];         /* along u and v; on the sock along v, and [0] has the sines
-	                                 * and cosines along u */
-	fftw_plan plan[2];              /* on the sock: along u, forward and back */
+	Transform transform[2];         /* along u and v; on the sock along v, on the pillow none, and [0]
+	                                 * has the sines and cosines along u */
+	fftw_plan plan[2];              /* on the sock and the pillow: along u, forward and back */
+	fftw_plan column[2];            /* on the pillow: along v */
 	double   *work;                 /* the workspaces of all threads */
 } Plate;
 
-/* g is a rectangle or a sock, with at least 3 nodes in each direction.  Returns 0, or PLATE_ENOMEM with nothing in p to
+/* g has at least 3 nodes in each direction.  Returns 0, or PLATE_ENOMEM with nothing in p to
  * free. */
 int  plate_init(Plate *p, Chart g, int free);
 void plate_free(Plate *p);
 
-/* On a sock: the nearest numbers of nodes for which plate_solve is fast (transform.h), an even number of
+/* On a sock or a pillow: the nearest numbers of nodes for which plate_solve is fast (transform.h), an even number of
  * columns.  On a rectangle: g. */
 Chart plate_fast(Chart g);
 

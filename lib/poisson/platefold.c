@@ -1,10 +1,13 @@
-/* platefold.c - the plate on a sock, by transforms of half the doubled grid.
+/* platefold.c - the plate on a sock or a pillow, by transforms of half the doubled grid.
  *
  * Let A_m(j) be the Fourier coefficient of row j along u, turned to the middle between nodes 0 and nu-1.
  * The image of row j under the fold, row -1-j, has the coefficient conj(A_m(j)).  So on the doubled
  * column, j = -nv .. nv-1, the real part of A_m is even and the imaginary part odd.  Their sum is a real
  * column whose sines (cosines) of odd and of even number belong to one of them each, and the eigenvalues
  * of both are the same.  One transform of this column does for both.  doc/mathematics.md 6.4.
+ *
+ * On the pillow the doubled column is periodic, and its real Fourier coefficients take the place of the sines or
+ * cosines.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -14,18 +17,23 @@
 
 #include "platepriv.h"
 
+static int
+is_closed(const Plate *p)
+{
+	return p->g.kind->closed;
+}
+
 /* Steps of the doubled column. */
 static int
 steps(const Plate *p)
 {
-	return 2*p->g.nv - 1;
+	return is_closed(p) ? 2*p->g.nv : 2*p->g.nv - 1;
 }
 
-/* The unknown rows, and the numbers of a doubled column. */
 static int
 unknown_rows(const Plate *p)
 {
-	return p->free ? p->g.nv : p->g.nv - 1;
+	return p->free || is_closed(p) ? p->g.nv : p->g.nv - 1;
 }
 
 /* Where, in the workspace of a thread, the Fourier coefficients of a row begin: after the row. */
@@ -54,26 +62,46 @@ front_room(const Plate *p)
 static size_t
 room(const Plate *p)
 {
-	return front_room(p) + (transform_pair_room(&p->transform[1]) + 7)/8*8;
+	return front_room(p) + (is_closed(p) ? 0 : (transform_pair_room(&p->transform[1]) + 7)/8*8);
+}
+
+/* The plans of the doubled columns of a pillow, and the eigenvalues along doubled columns, in the order of the
+ * coefficients. */
+static int
+init_columns(Plate *p)
+{
+	int n = steps(p);
+
+	p->eigenvalue[1] = is_closed(p) ? plate_eigenvalues(n, 0, n, chart_k(p->g))
+	    : plate_eigenvalues(2*unknown_rows(p), p->free ? 0 : 1, 2.0*n, chart_k(p->g));
+	if (!is_closed(p))
+		return 0;
+	p->column[0] = fftw_plan_r2r_1d(n, p->work, p->work, FFTW_R2HC, FFTW_ESTIMATE);
+	p->column[1] = fftw_plan_r2r_1d(n, p->work, p->work, FFTW_HC2R, FFTW_ESTIMATE);
+	return !p->column[0] || !p->column[1];
+}
+
+static int
+init_rows(Plate *p)
+{
+	fftw_complex *spectrum = (fftw_complex *)(p->work + spectrum_offset(p));
+	int nu = p->g.nu;
+
+	p->eigenvalue[0] = plate_eigenvalues(nu/2 + 1, 0, nu, chart_h(p->g));
+	p->plan[0] = fftw_plan_dft_r2c_1d(nu, p->work, spectrum, FFTW_ESTIMATE);
+	p->plan[1] = fftw_plan_dft_c2r_1d(nu, spectrum, p->work, FFTW_ESTIMATE);
+	return transform_init(&p->transform[0], nu) || !p->plan[0] || !p->plan[1];
 }
 
 int
 platefold_init(Plate *p)
 {
-	int nu = p->g.nu, e = transform_init(&p->transform[0], nu) || transform_init(&p->transform[1], steps(p))
-	    || transform_init_pair(&p->transform[1]);
-	fftw_complex *spectrum;
+	Transform *columns = &p->transform[1];
 
-	if (!e)
-		p->work = fftw_alloc_real(omp_get_max_threads()*room(p));
-	if (!p->work)
+	if (!is_closed(p) && (transform_init(columns, steps(p)) || transform_init_pair(columns)))
 		return PLATE_ENOMEM;
-	spectrum = (fftw_complex *)(p->work + spectrum_offset(p));
-	p->eigenvalue[0] = plate_eigenvalues(nu/2 + 1, 0, nu, chart_h(p->g));
-	p->eigenvalue[1] = plate_eigenvalues(2*unknown_rows(p), p->free ? 0 : 1, 2.0*steps(p), chart_k(p->g));
-	p->plan[0] = fftw_plan_dft_r2c_1d(nu, p->work, spectrum, FFTW_ESTIMATE);
-	p->plan[1] = fftw_plan_dft_c2r_1d(nu, spectrum, p->work, FFTW_ESTIMATE);
-	return p->plan[0] && p->plan[1] ? 0 : PLATE_ENOMEM;
+	p->work = fftw_alloc_real(omp_get_max_threads()*room(p));
+	return !p->work || init_rows(p) || init_columns(p) ? PLATE_ENOMEM : 0;
 }
 
 /* Replaces a row by its Fourier coefficients times exp(-i pi m/nu): the real part of number m at m, the
@@ -130,9 +158,14 @@ transform_rows(const Plate *p, int back, double *z, double *work)
 }
 
 static void
-transform_columns(const Plate *p, double *column[2], double *work)
+transform_columns(const Plate *p, int back, double *column[2], double *work)
 {
-	if (p->free)
+	int l;
+
+	if (is_closed(p))
+		for (l = 0; l < 2; l++)
+			fftw_execute_r2r(p->column[back], column[l], column[l]);
+	else if (p->free)
 		transform_cosine_pair(&p->transform[1], column[0], column[1], work);
 	else
 		transform_sine_pair(&p->transform[1], column[0], column[1], work);
@@ -170,7 +203,7 @@ static void
 divide(const Plate *p, double a, double b, double c, int m, double *column)
 {
 	int n = 2*unknown_rows(p), j;
-	double norm = p->g.nu*(double)steps(p)/2, e;
+	double norm = p->g.nu*(double)steps(p)/(is_closed(p) ? 1 : 2), e;
 
 	for (j = 0; j < n; j++) {
 		e = p->eigenvalue[0][m] + p->eigenvalue[1][j];
@@ -189,19 +222,21 @@ solve_columns(const Plate *p, double a, double b, double c, int q, double *z, do
 
 	for (l = 0; l < 2; l++)
 		copy_in(p, at[l]%columns, z + at[l]/columns*n, column[l]);
-	transform_columns(p, column, work + front_room(p));
+	transform_columns(p, 0, column, work + front_room(p));
 	for (l = 0; l < 2; l++)
 		divide(p, a, b, c, at[l]%columns, column[l]);
-	transform_columns(p, column, work + front_room(p));
+	transform_columns(p, 1, column, work + front_room(p));
 	for (l = 0; l <= last; l++)
 		copy_out(p, at[l]%columns, column[l], z + at[l]/columns*n);
 }
 
-/* The constant c0 of plate.h.  The waves of one cycle in the doubled column are odd, so they are not
+/* The constant c0 of plate.h.  On the sock the waves of one cycle in the doubled column are odd, so they are not
  * constant along u. */
 static double
 shift(const Plate *p, double b)
 {
+	if (is_closed(p))
+		return b*fmin(p->eigenvalue[0][1], p->eigenvalue[1][1]);
 	return p->free ? b*fmin(p->eigenvalue[0][1], p->eigenvalue[1][2]) : 0;
 }
 
@@ -212,7 +247,7 @@ platefold_solve(const Plate *p, double a, double b, double c, double *z)
 	size_t n = (size_t)p->g.nu*p->g.nv;
 
 	c += shift(p, b);
-	for (k = 0; k < 3 && p->free; k++)
+	for (k = 0; k < 3 && p->free && !is_closed(p); k++)
 		for (i = 0; i < p->g.nu; i++)
 			z[k*n + n - 1 - i] *= 2;        /* W^-1 */
 #pragma omp parallel

@@ -20,7 +20,7 @@ plate_eigenvalues(int n, int first, double period, double step)
 	return e;
 }
 
-/* The sock: platefold.c. */
+/* The sock and the pillow: platefold.c. */
 int  platefold_init(Plate *p);
 void platefold_solve(const Plate *p, double a, double b, double c, double *z);
 
