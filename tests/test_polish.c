@@ -5,6 +5,7 @@
 
 #include "../lib/map/gridlaplace.h"
 #include "../lib/grid/lambdah.h"
+#include "../lib/grid/stencil.h"
 #include "../lib/poisson/planelaplace.h"
 #include "../lib/map/polish.h"
 #include "../lib/base/stats.h"
@@ -81,6 +82,47 @@ transforms_invert_the_plane(void **state)
 		planelaplace_free(&q);
 	}
 	gridlaplace_free(&l);
+}
+
+/* The stiffness of bilinear elements applied to a field that is odd under the turns of a pillow. */
+static double
+plane_stiffness(Chart g, const double *f, int i, int j)
+{
+	double h = chart_h(g), k = chart_k(g), sum = 0;
+	int a, b, sign;
+	size_t p;
+
+	for (b = -1; b <= 1; b++)
+		for (a = -1; a <= 1; a++) {
+			sign = 1;
+			p = stencil_node(g, i + a, j + b, &sign);
+			sum += sign*f[p]*((a ? -1 : 2)/h*(b ? 1 : 4)*k/6 + (b ? -1 : 2)/k*(a ? 1 : 4)*h/6);
+		}
+	return sum;
+}
+
+static void
+transforms_invert_the_plane_of_a_pillow(void **state)
+{
+	static const Chart chart[] = { { 18, 13, 0.7, &CHART_PILLOW }, { 12, 18, 1.6, &CHART_PILLOW },
+		{ 4, 2, 1, &CHART_PILLOW } };
+	static double r[N], z[N];
+	unsigned long long seed = 11;
+	PlaneLaplace q;
+	int t, p;
+
+	(void)state;
+	for (t = 0; t < 6; t++) {
+		Chart g = chart[t/2];
+
+		for (p = 0; p < g.nu*g.nv; p++)
+			r[p] = noise(&seed);
+		assert_int_equal(planelaplace_init(&q, g, t%2), 0);
+		planelaplace_solve(&q, r, z);
+		for (p = 0; p < g.nu*g.nv; p++)
+			assert_true(fabs(plane_stiffness(g, z, p%g.nu, p/g.nu) - r[p]) < 1e-10);
+		planelaplace_free(&q);
+	}
 }
 
 static Node
@@ -297,6 +339,7 @@ main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(laplace_is_its_own_adjoint),
 		cmocka_unit_test(transforms_invert_the_plane),
+		cmocka_unit_test(transforms_invert_the_plane_of_a_pillow),
 		cmocka_unit_test(harmonic_functions_of_known_surfaces),
 		cmocka_unit_test(harmonic_coordinates_of_a_sock),
 		cmocka_unit_test(points_are_located),

@@ -5,11 +5,18 @@
 
 #include "planelaplace.h"
 
-/* Whether fields are those of the doubled grid of a sock. */
+/* Whether fields are those of the doubled grid of a sock or a pillow. */
 static int
 is_folded(const PlaneLaplace *p)
 {
 	return p->g.kind->folded;
+}
+
+/* Whether the doubled grid is periodic along an axis. */
+static int
+is_periodic(const PlaneLaplace *p, int axis)
+{
+	return axis ? p->g.kind->closed : is_folded(p);
 }
 
 /* Steps along an axis: of the period, or between the sides. */
@@ -17,7 +24,7 @@ static int
 cells(const PlaneLaplace *p, int axis)
 {
 	if (is_folded(p))
-		return axis ? 2*p->g.nv - 1 : p->g.nu;
+		return axis ? 2*p->g.nv - !p->g.kind->closed : p->g.nu;
 	return (axis ? p->g.nv : p->g.nu) - 1;
 }
 
@@ -27,7 +34,7 @@ phase(const PlaneLaplace *p, int axis, int k)
 {
 	int n = cells(p, axis);
 
-	if (is_folded(p) && axis == 0)
+	if (is_periodic(p, axis))
 		return 2*M_PI*(k < n - k ? k : n - k)/n;
 	return M_PI*(k + (axis == p->axis))/n;
 }
@@ -73,8 +80,10 @@ make_plans(PlaneLaplace *p)
 	int k;
 
 	for (k = 0; k < 2; k++) {
-		if (is_folded(p))
+		if (is_periodic(p, 0))
 			u = k ? FFTW_HC2R : FFTW_R2HC;
+		if (is_periodic(p, 1))
+			v = k ? FFTW_HC2R : FFTW_R2HC;
 #pragma omp critical(planelaplace_plan)
 		p->plan[k] = fftw_plan_r2r_2d(p->n[1], p->n[0], p->work, p->work, v, u, FFTW_ESTIMATE);
 	}
@@ -86,7 +95,7 @@ planelaplace_init(PlaneLaplace *p, Chart g, int axis)
 	size_t bytes;
 	int e;
 
-	*p = (PlaneLaplace){ .g = g, .axis = axis, .j0 = axis == 1 };
+	*p = (PlaneLaplace){ .g = g, .axis = axis, .j0 = axis == 1 && !g.kind->closed };
 	p->i0 = axis == 0 && !is_folded(p);
 	p->n[0] = g.nu - 2*p->i0;
 	p->n[1] = (is_folded(p) ? 2*g.nv : g.nv) - 2*p->j0;
@@ -104,7 +113,7 @@ planelaplace_init(PlaneLaplace *p, Chart g, int axis)
 	return e;
 }
 
-/* The right-hand side at node (i,j) of the workspace; on the doubled grid of a sock r is odd. */
+/* The right-hand side at node (i,j) of the workspace; on a doubled grid r is odd. */
 static double
 value_at(const PlaneLaplace *p, const double *r, int i, int j)
 {
@@ -124,16 +133,17 @@ value_at(const PlaneLaplace *p, const double *r, int i, int j)
 void
 planelaplace_solve(const PlaneLaplace *p, const double *r, double *z)
 {
-	double norm = (double)cells(p, 0)*cells(p, 1), part = is_folded(p) ? 0.5 : 0.25, e;
+	double norm = (double)cells(p, 0)*cells(p, 1), part, e;
 	int i, j, nu = p->n[0], nv = p->n[1], fold = is_folded(p) ? p->g.nv : 0;
 	size_t q;
 
+	part = (is_periodic(p, 0) ? 1 : 0.5)*(is_periodic(p, 1) ? 1 : 0.5);
 	for (q = 0, j = 0; j < nv; j++)
 		for (i = 0; i < nu; i++, q++) {
 			p->work[q] = value_at(p, r, i, j)*part;
-			if (p->axis == 1 && !is_folded(p) && (i == 0 || i == nu - 1))
+			if (p->axis == 1 && !is_periodic(p, 0) && (i == 0 || i == nu - 1))
 				p->work[q] *= 2;
-			if (p->axis == 0 && (j == 0 || j == nv - 1))
+			if (p->axis == 0 && !is_periodic(p, 1) && (j == 0 || j == nv - 1))
 				p->work[q] *= 2;
 		}
 	fftw_execute(p->plan[0]);
