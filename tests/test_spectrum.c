@@ -10,12 +10,13 @@ enum { NU = 30, NV = 21, N = NU*NV };
 
 static const Spectrum DCT = { SPECTRUM_DCT, { NU, NV, 0.7, &CHART_RECTANGLE } },
 	DFT = { SPECTRUM_DFT, { NU, NV, 0.7, &CHART_RECTANGLE } },
-	FOLD = { SPECTRUM_DCT, { NU, NV, 0.7, &CHART_SOCK } };
+	FOLD = { SPECTRUM_DCT, { NU, NV, 0.7, &CHART_SOCK } },
+	CLOSED = { SPECTRUM_DCT, { NU, NV, 0.7, &CHART_PILLOW } };
 
 static Spectrum
 basis(int b)
 {
-	return b == 0 ? DCT : b == 1 ? DFT : FOLD;
+	return b == 0 ? DCT : b == 1 ? DFT : b == 2 ? FOLD : CLOSED;
 }
 
 static void
@@ -41,7 +42,7 @@ inverse_undoes_forward(void **state)
 	int b;
 
 	(void)state;
-	for (b = 0; b < 3; b++) {
+	for (b = 0; b < 4; b++) {
 		random_field(f, 1);
 		assert_int_equal(spectrum_forward(basis(b), f, C), 0);
 		assert_int_equal(spectrum_inverse(basis(b), C, g), 0);
@@ -60,12 +61,12 @@ parseval(void **state)
 	int i, q, p, cols;
 
 	(void)state;
-	for (i = 0; i < 5; i++) {
+	for (i = 0; i < 6; i++) {
 		Spectrum s = { i%2 ? SPECTRUM_DFT : SPECTRUM_DCT, { i < 2 ? NU : NV, i < 2 ? NV : NU, 1,
 			&CHART_RECTANGLE } };
 
-		if (i == 4)
-			s = FOLD;
+		if (i >= 4)
+			s = i == 4 ? FOLD : CLOSED;
 
 		random_field(f, 2);
 		random_field(h, 3);
@@ -285,8 +286,6 @@ log_is_free_of_the_unit(void **state)
 	}
 }
 
-/* With logarithms it is d, log f less its border part, that is filtered, and percent are of the root
- * mean square of d minus its mean. */
 /* On the sock each wave that is the same on both sheets is one coefficient, at its numbers and with its
  * wave number. */
 static void
@@ -320,6 +319,42 @@ a_wave_of_the_sock_is_one_coefficient(void **state)
 	assert_false(spectrum_exists((Spectrum){ SPECTRUM_DFT, FOLD.g }));
 }
 
+/* On the pillow each product of cosines and each of sines. */
+static void
+a_wave_of_the_pillow_is_one_coefficient(void **state)
+{
+	static const int number[][3] = { { 0, 0, 0 }, { 3, 2, 0 }, { 3, 2, 1 }, { 0, 4, 0 }, { NU/2, 1, 1 }, { 7, NV, 1 },
+		{ NU/2, NV, 1 }, { 7, 0, 0 } };
+	double f[N], x, y, square;
+	double complex C[N];
+	int t, p, q, m, n, sine, found;
+
+	(void)state;
+	for (t = 0; t < 8; t++) {
+		for (square = p = 0; p < N; p++) {
+			x = 2*M_PI*number[t][0]*chart_u(CLOSED.g, p%NU);
+			y = M_PI*number[t][1]*chart_v(CLOSED.g, p/NU)/CLOSED.g.T;
+			f[p] = number[t][2] ? sin(x)*sin(y) : cos(x)*cos(y);
+			square += f[p]*f[p];
+		}
+		spectrum_forward(CLOSED, f, C);
+		for (found = q = 0; q < N; q++) {
+			spectrum_numbers(CLOSED, q, &m, &n);
+			sine = q/(NU/2)%2;
+			if (m == number[t][0] && n == number[t][1] && sine == number[t][2]) {
+				assert_true(fabs(creal(C[q]) - sqrt(square*N)) < 1e-9);
+				assert_true(fabs(spectrum_wave(CLOSED, q) - hypot(m, n/(2*CLOSED.g.T))) < 1e-12);
+				found++;
+			} else
+				assert_true(cabs(C[q]) < 1e-9);
+		}
+		assert_int_equal(found, 1);
+	}
+	assert_false(spectrum_exists((Spectrum){ SPECTRUM_DFT, CLOSED.g }));
+}
+
+/* With logarithms it is d, log f less its border part, that is filtered, and percent are of the root
+ * mean square of d minus its mean. */
 static void
 log_keeps_the_border_part(void **state)
 {
@@ -428,6 +463,7 @@ main(void)
 		cmocka_unit_test(parseval),
 		cmocka_unit_test(a_wave_is_one_coefficient_or_a_pair),
 		cmocka_unit_test(a_wave_of_the_sock_is_one_coefficient),
+		cmocka_unit_test(a_wave_of_the_pillow_is_one_coefficient),
 		cmocka_unit_test(percent_of_the_root_mean_square),
 		cmocka_unit_test(raw_bound),
 		cmocka_unit_test(keep_counts),

@@ -183,6 +183,7 @@ static const struct {
 	{ SPECTRUM_DCT, &CHART_RECTANGLE, &dct },
 	{ SPECTRUM_DFT, &CHART_RECTANGLE, &dft },
 	{ SPECTRUM_DCT, &CHART_SOCK, &waveform_fold },
+	{ SPECTRUM_DCT, &CHART_PILLOW, &waveform_pillow },
 };
 
 static const Waveform *

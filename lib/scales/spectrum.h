@@ -17,9 +17,16 @@
  *        with 0 <= n < 2 nv; c_mn is 1 for m = n = 0, 2 for 0 < m < nu/2 and n > 0, else sqrt 2.
  *        f is extended evenly across the boundary.  These are all waves with f(-u,-v) = f(u,v)
  *
+ * On the pillow, with x = 2 pi u and y = pi v/T, the Fourier series of the fields with f(-u,-v) = f(u,v):
+ *
+ *   dct  C_mn = c_mn sum f_ij cos(m x) cos(n y), 0 <= m < nu/2, 0 <= n < nv, in row 2n, column m of C
+ *        C_mn = c_mn sum f_ij sin(m x) sin(n y), 0 < m <= nu/2, 0 < n <= nv, in row 2n-1, column m-1
+ *
+ *        with c_mn = 1 times sqrt 2 for 0 < m < nu/2, times sqrt 2 for 0 < n < nv
+ *
  * All are computed by FFTW.  In each, C_00 = sum f, and the sum of |C|^2 over all nu nv
  * coefficients is nu nv sum f^2.  So a bound on |C| has the same meaning in both
- * (doc/mathematics.md 5.1).  C is stored as [rows][columns], with rows = nv, on the sock 2 nv; in the
+ * (doc/mathematics.md 5.1).  C is stored as [rows][columns], with rows = nv, on the sock and the pillow 2 nv; in the
  * dct its imaginary parts are 0.
  */
 #ifndef SPECTRUM_H
@@ -40,10 +47,10 @@ typedef struct Spectrum {
 	Chart         g;
 } Spectrum;
 
-/* Whether the chart has this basis: the sock has no dft. */
+/* Whether the chart has this basis: the sock and the pillow have no dft. */
 int spectrum_exists(Spectrum s);
 
-/* Number of columns of C: nu, or nu/2 + 1; on the sock nu/2. */
+/* Number of columns of C: nu, or nu/2 + 1; on the sock and the pillow nu/2. */
 int spectrum_columns(Spectrum s);
 
 /* Number of coefficients in C: rows times columns. */
@@ -60,7 +67,8 @@ int spectrum_weight(Spectrum s, int m);
  *
  *   dct  |( m/(2 nu h), n/(2 nv k) )|
  *   dft  |( m/(nu h), n/(nv k) )|
- *   sock |( m, n/(4 nv k) )| */
+ *   sock |( m, n/(4 nv k) )|
+ *   pillow |( m, n/(2 T) )| */
 double spectrum_wave(Spectrum s, size_t q);
 
 /* The transform of f[nv][nu] and its inverse.  Both return 0 or SPECTRUM_ENOMEM. */

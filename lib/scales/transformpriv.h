@@ -19,6 +19,7 @@ typedef struct Waveform {
 } Waveform;
 
 extern const Waveform waveform_fold;    /* the dct of the sock: spectrumfold.c */
+extern const Waveform waveform_pillow;  /* the dct of the pillow: spectrumpillow.c */
 
 /* Memory with a fixed alignment.  FFTW's plan depends on the alignment, so it is the same in all
  * runs. */
