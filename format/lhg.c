@@ -58,7 +58,7 @@ lhg_count(const Lhg *g, int support, int step)
 		return step == 0 ? (size_t)nu*nv : 0;
 	if (step < 1 || step >= (nu > nv ? nu : nv))
 		return 0;
-	if (support == LHG_LATTICE && g->chart != LHG_SOCK)
+	if (support == LHG_LATTICE && g->chart == LHG_RECTANGLE)
 		return (size_t)((nu-1)/step + 1)*((nv-1)/step + 1);
 	if (support != LHG_BORDER || g->chart == LHG_PILLOW)
 		return 0;

@@ -55,7 +55,7 @@ enum {
 enum {
 	LHG_GRID,               /* all */
 	LHG_BORDER,             /* less than `step` steps from an edge; not on the pillow */
-	LHG_LATTICE             /* i and j multiples of `step`; not on the sock */
+	LHG_LATTICE             /* i and j multiples of `step`; on the rectangle alone */
 };
 
 typedef struct LhgChannel {

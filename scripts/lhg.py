@@ -105,7 +105,7 @@ def check(grid):
     if not 1 <= len(grid.channels) <= MAXCHAN:
         raise Error("number of channels is not 1 to %d" % MAXCHAN)
     for name, c in grid.channels.items():
-        if (c.support, grid.chart) in (("lattice", "sock"), ("border", "pillow")):
+        if (c.support, grid.chart) in (("lattice", "sock"), ("lattice", "pillow"), ("border", "pillow")):
             raise Error("channel %s: a %s has no %s" % (name, grid.chart, c.support))
         if c.support != "grid" and not 1 <= c.step <= max(grid.nu, grid.nv) - 1:
             raise Error("the step of channel %s does not suit the grid" % name)

@@ -205,7 +205,7 @@ lhg_head <- function(bytes, at) {
 		if (m[1] %in% names(g$channels) || (m[3] != "grid" && (step < 1 || step > max(size) - 1)))
 			lhg_stop("channel ", m[1], " is there twice, or its step does not suit the grid")
 		support <- if (m[3] == "grid") "grid" else m[4]
-		if ((support == "lattice" && chart == "sock") || (support == "border" && chart == "pillow"))
+		if ((support == "lattice" && chart != "rectangle") || (support == "border" && chart == "pillow"))
 			lhg_stop("channel ", m[1], ": a ", chart, " has no ", support)
 		g$channels[[m[1]]] <- list(unit = m[2], support = support, step = step, data = NULL)
 	}

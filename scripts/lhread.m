@@ -190,8 +190,8 @@ if ~strcmp(g.chart, 'rectangle') && mod(g.nu, 2) == 1
 	error('lhread: a %s has an even number of nodes along u', g.chart);
 end
 [g.channels, k] = read_channels(lines, k, max(size), count);
-if strcmp(g.chart, 'sock') && any(strcmp({g.channels.support}, 'lattice'))
-	error('lhread: a sock has no lattice');
+if ~strcmp(g.chart, 'rectangle') && any(strcmp({g.channels.support}, 'lattice'))
+	error('lhread: a %s has no lattice', g.chart);
 end
 if strcmp(g.chart, 'pillow') && any(strcmp({g.channels.support}, 'border'))
 	error('lhread: a pillow has no border');

@@ -130,7 +130,7 @@ pillows(Lhg *g, int m)
 	lhg_init(g, 8, 5, 0.7);
 	g->chart = LHG_PILLOW;
 	channel(g, m ? "lambda" : "x", "length", LHG_GRID, 0);
-	channel(g, "start.x", "length", LHG_LATTICE, 3);
+	channel(g, "start.x", "length", LHG_GRID, 0);
 }
 
 /* The longest names, keys and texts, and all kinds of characters that they may have. */
@@ -394,6 +394,8 @@ static const struct Bad {
 	    "the support of channel y does not suit a grid of 4 x 5 nodes" },
 	{ "chart-pillow-odd", FLAT("5 4", "chart pillow\n"), NULL,
 	    "a pillow has an even number of nodes along u, not 5" },
+	{ "chart-pillow-lattice", SOCK("chart pillow\nchannel x 1 grid\nchannel y 1 lattice 2\n"), NULL,
+	    "the support of channel y does not suit a grid of 4 x 5 nodes" },
 	{ "chart-pillow-border", SOCK("chart pillow\nchannel x 1 grid\nchannel y 1 border 2\n"), NULL,
 	    "the support of channel y does not suit a grid of 4 x 5 nodes" },
 	{ "order-chart-before-frame",

@@ -36,6 +36,7 @@ static const struct {
 } known[] = {
 	{ &CHART_RECTANGLE, FRAME_BAND, from_frame },
 	{ &CHART_SOCK, 1, start_from_cap },
+	{ &CHART_PILLOW, 0, start_from_sphere },
 };
 
 static int

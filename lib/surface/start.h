@@ -10,7 +10,10 @@
  *
  * and L^2 >= 4 pi A gives a flat disk.  The unit disk (sockplane.h) is first moved by Moebius maps so
  * that the mean of its circle, weighted by the lengths on the border, is its centre (A. Douady,
- * C. J. Earle 1986). */
+ * C. J. Earle 1986).
+ *
+ * On the pillow: the round sphere (pillowplane.h) with the area of the surface, centred at 0, its normal to the side
+ * that H says. */
 #ifndef START_H
 #define START_H
 
@@ -25,7 +28,8 @@ int start_rings(const ChartKind *kind);
  * of `band` [3][nv][nu] are given.  Returns 0, START_ENOMEM or START_ENONE. */
 int start_find(Chart finest, double *band, const Level *l);
 
-/* On the sock: startcap.c. */
+/* On the sock: startcap.c; on the pillow: startsphere.c. */
 int start_from_cap(Chart finest, double *band, const Level *l);
+int start_from_sphere(Chart finest, double *band, const Level *l);
 
 #endif

@@ -183,7 +183,7 @@ choose_anchor(const Surface *s, double unit, const double *phi, Anchor *a)
 	return e;
 }
 
-/* Free boundary: starts as with a held boundary, fits with all nodes free, then moves the result
+/* Free boundary or none: starts as with a held boundary, fits with all nodes free, then moves the result
  * rigidly into place. */
 static int
 descend_free(const Surface *s, double unit, const Level *finest, const FitOptions *o, FitProgress *at)
@@ -191,14 +191,14 @@ descend_free(const Surface *s, double unit, const Level *finest, const FitOption
 	Anchor a = { .n = 0 };
 	int r = 0, e = 0;
 
-	if (!s->adrift)
+	if (!s->adrift && !s->g.kind->closed)
 		e = choose_anchor(s, unit, finest->phi, &a);
 	clear_inside(s->g, s->start ? 0 : start_rings(s->g.kind), finest->phi);
 	if (!e)
 		r = descend(s, unit, finest, o, finest->phi, at);
 	if (!e && r > 0 && s->adrift)
 		e = choose_anchor(s, unit, NULL, &a);
-	if (!e && r > 0)
+	if (!e && r > 0 && a.n)
 		e = anchor_place(&a, s->g, finest->phi);
 	anchor_free(&a);
 	return e == ANCHOR_EVALUE ? SURFACE_EPLACE : e ? SURFACE_ENOMEM : r;
@@ -222,10 +222,10 @@ surface(const Surface *s, const FitOptions *o, double *phi, FitProgress *at)
 			finest.lambda2[p] = s->lambda[p]/unit*(s->lambda[p]/unit);
 			finest.l2H[p] = finest.lambda2[p]*(s->H[p]*unit);
 		}
-		if (!s->free)
+		if (!s->free && !s->g.kind->closed)
 			clear_inside(s->g, s->start ? 1 : start_rings(s->g.kind), phi);
 		field_scale(3*n, 1/unit, phi, phi);
-		r = s->free ? descend_free(s, unit, &finest, o, at) : descend(s, unit, &finest, o, phi, at);
+		r = s->free || s->g.kind->closed ? descend_free(s, unit, &finest, o, at) : descend(s, unit, &finest, o, phi, at);
 		field_scale(3*n, unit, phi, phi);
 	}
 	free(finest.lambda2);
