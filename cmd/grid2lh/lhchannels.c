@@ -98,7 +98,8 @@ lhchannels(const CmdInput *in, Lhg *g, int curvature, int lattice, int place, in
 		lambdah_limit_corners(chart, H);
 	if (residual && curvature == LAMBDAH_NORMAL && !flaws.raised)
 		exact_promise(g);
-	add_positions(g, "band", LHG_BORDER, BAND, phi);
+	if (lhg_count(g, LHG_BORDER, 1))
+		add_positions(g, "band", LHG_BORDER, BAND, phi);
 	if (lattice && lhg_count(g, LHG_LATTICE, 1))
 		add_positions(g, "start", LHG_LATTICE, lattice_step(g, lattice), phi);
 	else if (lattice)

@@ -22,6 +22,17 @@ band_read(const CmdInput *in, const Lhg *g, int rings, double *phi)
 	}
 }
 
+/* A channel in the unit of the positions; where none tells where the surface is, lambda. */
+static const LhgChannel *
+positioned(const Lhg *g)
+{
+	const LhgChannel *c = lhg_find(g, "band.x");
+
+	if (!c)
+		c = lhg_find(g, "start.x");
+	return c ? c : lhg_find(g, "lambda");
+}
+
 void
 surface_replace(const CmdInput *in, Lhg *g, const double *phi)
 {
@@ -32,7 +43,7 @@ surface_replace(const CmdInput *in, Lhg *g, const double *phi)
 	double *f;
 	int c;
 
-	snprintf(unit, sizeof unit, "%s", lhg_find(g, lhg_find(g, "band.x") ? "band.x" : "start.x")->unit);
+	snprintf(unit, sizeof unit, "%s", positioned(g)->unit);
 	for (i = 0; i < sizeof used/sizeof *used; i++)
 		lhg_drop(g, used[i]);
 	for (c = 0; c < 3; c++)

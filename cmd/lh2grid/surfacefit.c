@@ -92,6 +92,8 @@ has_band(const Lhg *g)
 int
 surfacefit_rings(const Lhg *g, const SurfaceFit *o)
 {
+	if (chart_of(g).kind->closed)
+		return 0;
 	if (!has_start(g, o))
 		return has_place(g, o) ? 1 : start_rings(chart_of(g).kind);
 	return o->free && !has_band(g) ? 0 : 1;
@@ -255,7 +257,7 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 	s.detail = o->detail;
 	s.filtered = lhg_getmeta(g, "waves", value, sizeof value) != NULL;
 	s.free = o->free;
-	s.adrift = o->free && !surfacefit_rings(g, o);
+	s.adrift = s.g.kind->closed ? s.start != NULL : o->free && !surfacefit_rings(g, o);
 	if (s.free && (g->nu < 3 || g->nv < 3))
 		die("%s: %d x %d nodes, a free boundary needs at least 3 x 3", in->name, g->nu, g->nv);
 	if (read_residue(in, g, o, &residue)) {
