@@ -184,8 +184,23 @@ check_pieces(const Topology *t)
 	return e ? e : e1;
 }
 
+/* What from_soup makes: a disk; a disk or a closed surface of genus 0; or any faces. */
+typedef enum Wanted { DISK, DISK_OR_CLOSED, LOOSE } Wanted;
+
 static int
-checkdisk(Disk *d)
+check_closed(Disk *d, const Topology *t)
+{
+	int genus = topology_genus(t);
+
+	if (genus > 0)
+		return mesh_fail(d->err, MESH_EDISK, "a closed surface with %d handle%s, a sphere has none; mesh2disk "
+		    "--handles=cut cuts them", genus, genus == 1 ? "" : "s");
+	d->loop = mesh_alloc(d->err, 1, sizeof *d->loop);
+	return d->loop ? 0 : MESH_ENOMEM;
+}
+
+static int
+checkdisk(Disk *d, Wanted wanted)
 {
 	Topology t = { .nv = d->m.nv, .nf = d->m.nf, .tri = d->m.tri, .file = d->file, .err = d->err };
 	int e;
@@ -196,6 +211,8 @@ checkdisk(Disk *d)
 		e = orient(d, &t);
 	if (!e && (e = check_pieces(&t)) == MESH_EDISK)
 		e = remedy_close(&t, d->m.xyz, remedy_components(&t, d->m.xyz, e));
+	else if (!e && wanted == DISK_OR_CLOSED && topology_is_closed(&t))
+		e = check_closed(d, &t);
 	else if (!e && (e = topology_loop(&t, &d->loop, &d->nb)) == MESH_EDISK)
 		e = remedy_close(&t, d->m.xyz, e);
 	d->twin = t.twin;
@@ -221,10 +238,10 @@ split_faces(Disk *d, const Soup *s, int loose)
 }
 
 static int
-build(Disk *d, const Soup *s, int loose, int *scratch)
+build(Disk *d, const Soup *s, Wanted wanted, int *scratch)
 {
 	Mesh *m = &d->m;
-	int e, v;
+	int e, v, loose = wanted == LOOSE;
 
 	if ((e = split_faces(d, s, loose)) != 0)
 		return e;
@@ -242,9 +259,9 @@ build(Disk *d, const Soup *s, int loose, int *scratch)
 		return e;
 	if (channels_gather(&d->channels, &s->channels, m->nv, d->file, 0))
 		return mesh_fail(d->err, MESH_ENOMEM, "no memory for the channels of %d vertices", m->nv);
-	if (loose || (e = checkdisk(d)) != 0)
+	if (loose || (e = checkdisk(d, wanted)) != 0)
 		return loose ? 0 : e;
-	if ((v = remedy_coincident(d)) < 0)
+	if ((v = d->nb ? remedy_coincident(d) : 0) < 0)
 		return v;
 	if (v > 0)
 		addnote(d, "%d boundary %s at the place of others: a cut, or a seam, which mesh2disk welds", v,
@@ -253,7 +270,7 @@ build(Disk *d, const Soup *s, int loose, int *scratch)
 }
 
 static int
-from_soup(Disk *d, const Soup *s, int loose)
+from_soup(Disk *d, const Soup *s, Wanted wanted)
 {
 	int *scratch, e;
 
@@ -263,7 +280,7 @@ from_soup(Disk *d, const Soup *s, int loose)
 	if (s->nf == 0)
 		return mesh_fail(d->err, MESH_EDISK, "no faces");
 	scratch = mesh_alloc(d->err, (size_t)s->nv, sizeof *scratch);
-	e = scratch ? build(d, s, loose, scratch) : MESH_ENOMEM;
+	e = scratch ? build(d, s, wanted, scratch) : MESH_ENOMEM;
 	free(scratch);
 	if (e)
 		disk_free(d);
@@ -273,11 +290,17 @@ from_soup(Disk *d, const Soup *s, int loose)
 int
 disk_from_soup(Disk *d, const Soup *s)
 {
-	return from_soup(d, s, 0);
+	return from_soup(d, s, DISK);
+}
+
+int
+disk_or_closed(Disk *d, const Soup *s)
+{
+	return from_soup(d, s, DISK_OR_CLOSED);
 }
 
 int
 disk_loose(Disk *d, const Soup *s)
 {
-	return from_soup(d, s, 1);
+	return from_soup(d, s, LOOSE);
 }

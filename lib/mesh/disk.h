@@ -18,6 +18,9 @@
  * free. */
 int disk_from_soup(Disk *d, const Soup *s);
 
+/* As disk_from_soup, but a closed surface of genus 0 is taken, too: nb is then 0, and twin has no -1. */
+int disk_or_closed(Disk *d, const Soup *s);
+
 /* The faces of a soup, for uses that need no disk.  Vertices are dropped and welded as above, but
  * no face is turned.  Faces that cannot be split into triangles with area are left out; d->note
  * tells how many, and which was the first.  The only checks are that corners are in range,

@@ -187,7 +187,7 @@ emit_loop(const Split *s, Disk *finer)
 {
 	int *next = malloc(s->d->m.nv*sizeof *next), side, i, v;
 
-	finer->loop = malloc(2*(size_t)s->d->nb*sizeof *finer->loop);
+	finer->loop = malloc((2*(size_t)s->d->nb + 1)*sizeof *finer->loop);
 	if (!next || !finer->loop) {
 		free(next);
 		return MESH_ENOMEM;

@@ -224,3 +224,16 @@ topology_loop(const Topology *t, int **loop, int *nb)
 	}
 	return e;
 }
+
+int
+topology_is_closed(const Topology *t)
+{
+	return 2*(size_t)t->nedge == 3*(size_t)t->nf;
+}
+
+/* Euler's formula: V - E + F = 2 - 2 genus. */
+int
+topology_genus(const Topology *t)
+{
+	return (2 - (t->nv - t->nedge + t->nf))/2;
+}

@@ -40,6 +40,10 @@ int topology_fans(const Topology *t);
  * MESH_ENOMEM, or MESH_EDISK: no loop, several, or handles. */
 int topology_loop(const Topology *t, int **loop, int *nb);
 
+/* Whether no edge is on a boundary; and the genus of a closed mesh that passed the checks above. */
+int topology_is_closed(const Topology *t);
+int topology_genus(const Topology *t);
+
 static inline int
 topology_next(int side)
 {

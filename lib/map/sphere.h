@@ -1,0 +1,45 @@
+/* sphere.h - the conformal map of a closed surface of genus 0 onto the Riemann sphere.
+ *
+ * A point of the sphere is z = Z[0] : Z[1], |Z[0]|^2 + |Z[1]|^2 = 1.  Seen from outside it is the stereographic image
+ * of pillowplane.h, so that faces that are anticlockwise on the surface are so in the plane of z.
+ *
+ * The map begins with a pole in the largest face: x and y are the functions whose Laplacian is a dipole
+ * there (S. Haker et al., IEEE TVCG 6 (2000) 181).  Then, in turn, z is made harmonic on three quarters of the
+ * vertices with the values on the last quarter, round z = infinity, given, and 1/z likewise with those round
+ * z = 0 given: Schwarz's alternating method.  The last rounds use quadratic elements.  doc/mathematics.md 3.9.
+ */
+#ifndef SPHERE_H
+#define SPHERE_H
+
+#include "../base/cmplx.h"
+#include "../mesh/subdivision.h"
+#include "../sparse/spd.h"
+#include "adapt.h"
+
+typedef double complex Spinor[2];
+
+typedef struct SphereMap {
+	Subdivision mesh;       /* the triangulation of the last solve */
+	Spinor     *Z;          /* [mesh.d.m.nv] */
+	double      certificate;        /* of linear elements: Dirichlet energy over area of the image, minus 1 */
+	double      mu;         /* the mean of |mu| over the surface, mu the Beltrami coefficient of the faces */
+	int         turned;     /* faces of mesh that are turned over on the sphere */
+	int         quadratic;  /* 1 if the last solve was with quadratic elements */
+} SphereMap;
+
+/* Maps the closed surface d (disk_or_closed).  Splits faces as adapt_map does: options->tolerance is the largest
+ * certificate.  Returns 0, SPD_ENOMEM, SPD_ELARGE or SPD_EINDEFINITE; on an error m holds nothing to free. */
+int  sphere_map(const Disk *d, const AdaptOptions *options, SphereMap *m, SpdReport *report);
+void sphere_free(SphereMap *m);
+
+/* sum over faces of area |mu|, and of the areas; the number of faces turned over. */
+void sphere_beltrami(const Mesh *m, Spinor *Z, double *mu, int *turned);
+
+/* The place of b in the chart of the sphere that turns a to 0. */
+static inline double complex
+sphere_seen_from(const Spinor a, const Spinor b)
+{
+	return (b[0]*a[1] - b[1]*a[0])/(b[0]*conj(a[0]) + b[1]*conj(a[1]));
+}
+
+#endif
