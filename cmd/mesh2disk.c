@@ -179,7 +179,7 @@ main(int argc, char *argv[])
 		cmd_binary_output();
 	}
 	name = cmd_name_of(argv[optind]);
-	load_soup_loose(argv[optind], &s);
+	load_soup(argv[optind], MESHFILE_LOOSE, &s);
 	points_to_faces(name, points, &s);
 	load_range(name, &s);
 	claim(name, "the mending", s.nf, PER_FACE);

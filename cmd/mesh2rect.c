@@ -293,7 +293,7 @@ main(int argc, char *argv[])
 	if (uv)
 		opt_uv(uv, argv[optind]);
 	cmd_binary_output();
-	load_soup_loose(argv[optind], &s);
+	load_soup(argv[optind], MESHFILE_LOOSE, &s);
 	if (with)
 		with_read(with, &s);
 	load_disk(cmd_name_of(argv[optind]), &s, &d);

@@ -61,3 +61,91 @@ sys.stdout.buffer.write(b"\xff\xff\xfeby a test\n\n" + struct.pack(">2i", nv, nf
 	grep -q 'space .*scanner' "$tmp/info"
 	run ! grep -Eq 'vertices +7$|fs.X' "$tmp/info"
 }
+
+# outside FILE.off FOLDER: writes its mesh to the folder as ext.gltf with my%20mesh.bin, ext.gii with ext.dat, and in.gltf and in.gii, which
+# have all inside.  Triangles come first in ext.dat.
+outside() {
+	(cd "$2" && python3 -c '
+import base64, json, struct, sys
+words = open(sys.argv[1]).read().split()
+nv, nf = int(words[1]), int(words[2])
+xyz = struct.pack(f"<{3*nv}f", *map(float, words[4:4 + 3*nv]))
+tri = struct.pack(f"<{3*nf}i", *(int(w) for i, w in enumerate(words[4 + 3*nv:]) if i % 4))
+def gltf(name, uri):
+	json.dump({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+		"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+		"accessors": [{"bufferView": 0, "componentType": 5126, "count": nv, "type": "VEC3"},
+			{"bufferView": 1, "componentType": 5125, "count": 3*nf, "type": "SCALAR"}],
+		"bufferViews": [{"buffer": 0, "byteLength": len(xyz)}, {"buffer": 0, "byteOffset": len(xyz), "byteLength": len(tri)}],
+		"buffers": [{"byteLength": len(xyz + tri), "uri": uri}]}, open(name, "w"))
+def gifti(name, one, two):
+	part = "<DataArray Intent=\"NIFTI_INTENT_{}\" DataType=\"NIFTI_TYPE_{}\" ArrayIndexingOrder=\"RowMajorOrder\" " \
+		"Dimensionality=\"2\" Dim0=\"{}\" Dim1=\"3\" Endian=\"LittleEndian\" {}</Data></DataArray>\n"
+	open(name, "w").write("<?xml version=\"1.0\"?>\n<GIFTI Version=\"1.0\" NumberOfDataArrays=\"2\">\n" +
+		part.format("POINTSET", "FLOAT32", nv, one) + part.format("TRIANGLE", "INT32", nf, two) + "</GIFTI>\n")
+external = "Encoding=\"ExternalFileBinary\" ExternalFileName=\"ext.dat\" ExternalFileOffset=\"{}\"><Data>"
+inside = "Encoding=\"Base64Binary\" ExternalFileName=\"\" ExternalFileOffset=\"\"><Data>"
+open("my mesh.bin", "wb").write(xyz + tri)
+open("ext.dat", "wb").write(tri + xyz + b"and more")
+gltf("ext.gltf", "my%20mesh.bin")
+gltf("in.gltf", "data:application/octet-stream;base64," + base64.b64encode(xyz + tri).decode())
+gifti("ext.gii", external.format(len(tri)), external.format(0))
+gifti("in.gii", inside + base64.b64encode(xyz).decode(), inside + base64.b64encode(tri).decode())
+' "$1")
+}
+
+# grid_of FILE: the grid of a mesh file without the command lines.
+grid_of() { mesh2rect -q --no-history -n 16 "$1"; }
+
+@test "buffers of glTF and arrays of GIFTI in files beside the mesh are read, from the folder of the mesh" {
+	mkdir -p "$tmp/dir/sub"
+	mkmesh -n 300 rectangle >"$tmp/a.off"
+	outside "$tmp/a.off" "$tmp/dir"
+	cd "$tmp"
+	for f in gltf gii; do
+		grid_of dir/in.$f >in.lhg
+		grid_of dir/ext.$f | cmp in.lhg -
+		grid_of "$tmp/dir/ext.$f" | cmp in.lhg -
+		(cd dir && grid_of ext.$f | cmp ../in.lhg -)
+		(cd dir/sub && grid_of ../ext.$f | cmp ../../in.lhg -)
+		gzip -c dir/ext.$f >dir/packed.$f
+		grid_of dir/packed.$f | cmp in.lhg -
+		mesh2disk -q dir/in.$f -o in.ply
+		mesh2disk -q dir/ext.$f -o out.ply
+		cmp in.ply out.ply
+		lhdiff -q dir/ext.$f dir/in.$f
+	done
+	if /usr/bin/python3 -c 'import nibabel' 2>/dev/null; then
+		/usr/bin/python3 -c '
+import nibabel, sys
+a, b = (nibabel.load(f) for f in sys.argv[1:])
+assert all((x.data == y.data).all() for x, y in zip(a.darrays, b.darrays))' dir/ext.gii dir/in.gii
+	fi
+}
+
+@test "files beside the mesh that are missing, short, elsewhere or no files are refused in one line" {
+	mkdir -p "$tmp/dir"
+	mkmesh -n 300 rectangle >"$tmp/a.off"
+	outside "$tmp/a.off" "$tmp/dir"
+	cd "$tmp/dir"
+	try 1 "stdin: buffer 0 is in another file, 'my mesh.bin', which cannot be found from a pipe: give the name" \
+		ext.gltf mesh2rect
+	try 1 "stdin: array 0 is in another file, 'ext.dat', which cannot be found from a pipe" ext.gii mesh2disk
+	sed 's|my%20mesh|../dir/my%20mesh|' ext.gltf >up.gltf
+	try 1 "up.gltf: buffer 0 is in '../dir/my mesh.bin', which is read only from the folder of the mesh" /dev/null mesh2rect up.gltf
+	sed "s|ext.dat|$tmp/dir/ext.dat|" ext.gii >abs.gii
+	try 1 "abs.gii: array 0 is in '/.*', which is read only from the folder of the mesh" /dev/null mesh2rect abs.gii
+	truncate -s -9 ext.dat
+	try 1 "ext.gii: array 0 is in 'ext.dat' beside the mesh, which has .* bytes from .* on, need " /dev/null mesh2rect ext.gii
+	truncate -s 100G ext.dat                # far more than is read
+	mesh2rect -q -n 16 ext.gii >/dev/null
+	truncate -s 100 'my mesh.bin'
+	try 1 "ext.gltf: buffer 0 is in 'my mesh.bin' beside the mesh, which has 100 bytes from 0 on" /dev/null mesh2rect ext.gltf
+	rm 'my mesh.bin' ext.dat
+	try 1 "ext.gltf: buffer 0 is in 'my mesh.bin' beside the mesh: No such file" /dev/null mesh2rect ext.gltf
+	try 1 "ext.gltf: .*No such file" /dev/null lhdiff ext.gltf in.gltf
+	mkdir ext.dat
+	try 1 "ext.gii: array 0 is in 'ext.dat' beside the mesh: no regular file" /dev/null mesh2rect ext.gii
+	mkfifo 'my mesh.bin'
+	try 1 "ext.gltf: buffer 0 is in 'my mesh.bin' beside the mesh: no regular file" /dev/null mesh2rect ext.gltf
+}

@@ -87,7 +87,7 @@ refused(void **state)
 	refuses(FILE_OF(ONE, "{\"attributes\":{\"POSITION\":1}}"), MESH_EFORMAT, "accessor 1 is not of type VEC3");
 	refuses(FILE_OF(ONE, "{\"attributes\":{\"POSITION\":0},\"mode\":7}"), MESH_EFORMAT, "mode 7 is not read");
 	refuses("{" ROOT "\"nodes\":[" ONE "],\"meshes\":[{\"primitives\":[" PRIMITIVE "]}]," ACCESSORS
-	    "\"buffers\":[{\"byteLength\":60,\"uri\":\"x.bin\"}]}", MESH_EFORMAT, "buffer 0 is in a file of its own, 'x.bin'");
+	    "\"buffers\":[{\"byteLength\":60,\"uri\":\"x.bin\"}]}", MESH_EFORMAT, "buffer 0 is in another file, 'x.bin', which cannot be found");
 	refuses("{" ROOT "\"nodes\":[" ONE "],\"meshes\":[{\"primitives\":[" PRIMITIVE "]}]," ACCESSORS
 	    "\"buffers\":[{\"byteLength\":2000000000,\"uri\":\"data:;base64,AAAA\"}]}", MESH_EFORMAT, "buffer 0 announces 2000000000 bytes");
 	refuses("{" ROOT "\"nodes\":[" ONE "],\"meshes\":[{\"primitives\":[" PRIMITIVE "]}],\"accessors\":[{\"bufferView\":0,"

@@ -746,7 +746,7 @@ parseuv(Soup *s, const void *bytes, size_t n)
 	int e;
 
 	memcpy(copy, bytes, n);
-	e = meshfile_parse_uv(s, copy, n, MOST);
+	e = meshfile_parse_as(s, copy, n, &(MeshParse){ .most = MOST, .what = MESHFILE_UV });
 	free(copy);
 	if (e)
 		assert_true(!s->xyz && !s->first && !s->idx && !s->channels.n && s->err[0] && !strchr(s->err, '\n'));
@@ -1029,16 +1029,17 @@ static void
 loose_reading(void **state)
 {
 	static const char text[] = "OFF\n3 2 0\n0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 7\n";
+	const MeshParse loose = { .most = MESHFILE_MOST, .what = MESHFILE_LOOSE };
 	Soup s;
 
 	(void)state;
 	assert_int_equal(meshfile_parse(&s, text, sizeof text - 1, MESHFILE_MOST), MESH_EVALUE);
-	assert_int_equal(meshfile_parse_loose(&s, text, sizeof text - 1, MESHFILE_MOST), 0);
+	assert_int_equal(meshfile_parse_as(&s, text, sizeof text - 1, &loose), 0);
 	assert_int_equal(s.nf, 2);
 	assert_int_equal(s.idx[5], 7);
 	assert_false(isfinite(s.xyz[2]));
 	soup_free(&s);
-	assert_int_equal(meshfile_parse_loose(&s, text, 20, MESHFILE_MOST), MESH_EFORMAT);
+	assert_int_equal(meshfile_parse_as(&s, text, 20, &loose), MESH_EFORMAT);
 }
 
 /* A file with (u,v) that is cut anywhere or has a changed byte is refused, or gives a soup with

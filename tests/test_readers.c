@@ -283,7 +283,7 @@ gifti_refused(void **state)
 	refuses(GIFTI("1") GII_POINTS("GZipBase64Binary", F_GZIP), MESH_EFORMAT, "zlib data are damaged, or not of 48 bytes");
 	refuses(GIFTI("1") GII("POINTSET", "FLOAT32", "RowMajorOrder", "2000000000", "GZipBase64Binary", "LittleEndian",
 	    "<Data>" P_GZIP "</Data>"), MESH_EFORMAT, "header announces 6000000000 coordinates");
-	refuses(GIFTI("1") GII_POINTS("ExternalFileBinary", ""), MESH_EFORMAT, "array 0 is in an external file, 'x.bin', which is not read");
+	refuses(GIFTI("1") GII_POINTS("ExternalFileBinary", ""), MESH_EFORMAT, "array 0 is in another file, 'x.bin', which cannot be found");
 	refuses(GIFTI("1") GII("POINTSET", "FLOAT32", "RowMajorOrder", "0", "ASCII", "LittleEndian", "") "</GIFTI>", MESH_EFORMAT,
 	    "no array of coordinates");
 	refuses(GIFTI("1") GII("POINTSET", "COMPLEX64", "RowMajorOrder", "4", "ASCII", "LittleEndian", ""), MESH_EFORMAT,

@@ -25,7 +25,7 @@ gridfile_read_mesh(const char *path, int offsets, int keep_filled, OnMesh *on)
 
 	on->name = cmd_name_of(path);
 	on->offsets = offsets < 0 ? OFFSETS_KEEP : offsets;
-	load_soup(path, 1, &on->s);
+	load_soup(path, MESHFILE_UV, &on->s);
 	if ((dropped = keep_filled ? 0 : filled_drop(&on->s)) < 0)
 		die("%s: %s", on->name, on->s.err);
 	if (dropped)

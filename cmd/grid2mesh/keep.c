@@ -165,7 +165,7 @@ keep_field_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const char 
 	Kept k;
 	int i;
 
-	load_soup_loose(keep, &o);
+	load_soup(keep, MESHFILE_LOOSE, &o);
 	source = source_in(&o, &on->s);
 	if (!source && o.nv != on->s.nv)
 		die("%s: %d vertices, %s has %d, and no numbers of them (source)", keep, o.nv, on->name, on->s.nv);
@@ -205,8 +205,7 @@ keep_bytes(const CmdInput *in, const Lhg *g, const OnMesh *on, const char *keep,
 	file = cmd_slurp(keep, &size);
 	if ((size > 3 && memcmp(file, "ply", 3) == 0) != (strcmp(format->name, "PLY") == 0))
 		die("%s is no %s: the output needs the ending of the file that is kept", keep, format->name);
-	if (meshfile_parse_loose(&o, file, size, claim_input()))
-		die("%s: %s", keep, o.err);
+	load_bytes(keep, file, size, MESHFILE_LOOSE, &o);
 	gridfile_soup(in, g, on, &none, 0, format->name, &s);
 	nv = s.nv;
 	xyz = s.xyz;

@@ -1,4 +1,5 @@
 /* surface.c - the surfaces of an operand: a stream of grids or a mesh file. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "../../lib/grid/gridmesh.h"
@@ -11,7 +12,7 @@
 void
 surfaces_open(Surfaces *s, const char *path)
 {
-	*s = (Surfaces){ .bytes = NULL };
+	*s = (Surfaces){ .path = path };
 	s->grids = cmd_open_or_slurp(&s->in, path, load_look, &s->bytes, &s->n);
 }
 
@@ -62,7 +63,8 @@ from_mesh(Surfaces *s, Mesh *m)
 
 	if (!s->bytes)
 		return 0;
-	load_bytes(s->in.name, s->bytes, s->n, 0, &soup);
+	load_bytes(s->path, s->bytes, s->n, 0, &soup);
+	free(s->bytes);
 	s->bytes = NULL;
 	faces(s->in.name, &soup, &d);
 	soup_free(&soup);

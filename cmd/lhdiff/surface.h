@@ -8,6 +8,7 @@
 /* The surfaces of one operand: the one of a mesh file, or one for each grid of a stream. */
 typedef struct Surfaces {
 	CmdInput in;            /* the stream of grids; of a mesh file only the name */
+	const char *path;
 	char    *bytes;         /* [n] of a mesh file that has not been parsed yet, else NULL */
 	size_t   n;
 	int      grids;         /* the operand is a stream of grids */

@@ -4,6 +4,7 @@
 
 #include "../../lib/mesh/channel.h"
 #include "../../lib/meshfile/fieldfile.h"
+#include "../shared/beside.h"
 #include "../shared/cmd.h"
 #include "withopt.h"
 
@@ -95,13 +96,14 @@ static void
 read_file(const char *path, Soup *s)
 {
 	char name[CHANNEL_NAME], err[MESH_ERRLEN], *bytes;
+	MeshBeside beside;
 	Channels c;
 	size_t n;
 	int k, nv;
 
 	stem(path, name);
 	bytes = cmd_slurp(path, &n);
-	if (fieldfile_parse(bytes, n, name, &c, &nv, err))
+	if (fieldfile_parse(bytes, n, name, beside_of(path, &beside), &c, &nv, err))
 		die("%s: %s", path, err);
 	if (nv != s->nv && !channel_source(&s->channels, s->nv, nv))
 		die("%s: %d numbers, the mesh has %d vertices", path, nv, s->nv);

@@ -5,6 +5,7 @@
 
 #include "../../lib/mesh/disk.h"
 #include "../../lib/meshfile/meshfile.h"
+#include "beside.h"
 #include "claim.h"
 #include "cmd.h"
 #include "load.h"
@@ -20,31 +21,22 @@ load_look(const char *name, const char *head, size_t n)
 }
 
 void
-load_soup(const char *path, int uv, Soup *s)
+load_soup(const char *path, unsigned what, Soup *s)
 {
 	size_t n;
 	char *bytes = cmd_slurp_if(path, load_look, &n);
 
-	load_bytes(cmd_name_of(path), bytes, n, uv, s);
+	load_bytes(path, bytes, n, what, s);
+	free(bytes);
 }
 
 void
-load_soup_loose(const char *path, Soup *s)
+load_bytes(const char *path, const char *bytes, size_t n, unsigned what, Soup *s)
 {
-	size_t n;
-	char *bytes = cmd_slurp_if(path, load_look, &n);
+	MeshBeside beside;
 
-	if (meshfile_parse_loose(s, bytes, n, claim_input()))
+	if (meshfile_parse_as(s, bytes, n, &(MeshParse){ claim_input(), what, beside_of(path, &beside) }))
 		die("%s: %s", cmd_name_of(path), s->err);
-	free(bytes);
-}
-
-void
-load_bytes(const char *name, char *bytes, size_t n, int uv, Soup *s)
-{
-	if ((uv ? meshfile_parse_uv : meshfile_parse)(s, bytes, n, claim_input()))
-		die("%s: %s", name, s->err);
-	free(bytes);
 }
 
 void

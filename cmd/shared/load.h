@@ -2,18 +2,14 @@
 #ifndef CMD_LOAD_H
 #define CMD_LOAD_H
 
-#include "../../lib/mesh/mesh.h"
+#include "../../lib/meshfile/meshfile.h"
 
-/* The polygons of a mesh file ("-" or NULL: stdin), with its (u,v) if uv is not 0, or die with
+/* The polygons of a mesh file ("-" or NULL: stdin), read as the flags MESHFILE_UV .. of meshfile.h say, or die with
  * the reason. */
-void load_soup(const char *path, int uv, Soup *s);
+void load_soup(const char *path, unsigned what, Soup *s);
 
-/* The same from n bytes that were read already; frees them. */
-void load_bytes(const char *name, char *bytes, size_t n, int uv, Soup *s);
-
-/* As load_soup without (u,v), but coordinates may be not finite, and corners may be vertices that do not
- * exist (lib/meshfile: meshfile_parse_loose). */
-void load_soup_loose(const char *path, Soup *s);
+/* The same from n bytes that were read already from the file `path`. */
+void load_bytes(const char *path, const char *bytes, size_t n, unsigned what, Soup *s);
 
 /* Dies if a vertex that a face has is out of range (range.h). */
 void load_range(const char *name, const Soup *s);

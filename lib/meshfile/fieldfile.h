@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "../mesh/mesh.h"
+#include "meshfile.h"
 
 struct Text;
 
@@ -31,9 +31,11 @@ char *fieldformat_ends(char buf[FIELDFORMAT_LIST]);
 int fieldfile_write(const Channels *c, int nv, int nf, const FieldFormat *format, char **bytes, size_t *n);
 
 /* Reads the channels of a FreeSurfer curvature file (named `name`), a GIFTI file (named by their metadatum Name, or
- * name, name_1 ..) or a PLY mesh (the numbers at its vertices but x y z, normals and texture coordinates), *nv numbers each, to be freed.  Returns 0; or MESH_ENOMEM, MESH_EFORMAT, or MESH_EVALUE if a
- * number is not finite, with the reason in err and nothing to free. */
-int fieldfile_parse(const char *bytes, size_t n, const char *name, Channels *c, int *nv, char err[MESH_ERRLEN]);
+ * name, name_1 ..) or a PLY mesh (the numbers at its vertices but x y z, normals and texture coordinates), *nv numbers
+ * each, to be freed.  beside reads external arrays of GIFTI; NULL: they are refused (meshfile.h).  Returns 0; or
+ * MESH_ENOMEM, MESH_EFORMAT, or MESH_EVALUE if a number is not finite, with the reason in err and nothing to free. */
+int fieldfile_parse(const char *bytes, size_t n, const char *name, const MeshBeside *beside, Channels *c, int *nv,
+	char err[MESH_ERRLEN]);
 
 /* The writers: giftiwrite.c, fswrite.c. */
 int giftifields_write(struct Text *t, const Channels *c, int nv, int nf);

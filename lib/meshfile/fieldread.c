@@ -69,7 +69,7 @@ typedef struct Fields {
 static int
 start(Xml *x, const char *element, const char **attr)
 {
-	static const char *const coding[] = { "ASCII", "Base64Binary", "GZipBase64Binary" };
+	static const char *const coding[] = { "ASCII", "Base64Binary", "GZipBase64Binary", "ExternalFileBinary" };
 	Fields *f = x->arg;
 	const char *type, *how;
 	long long columns = 1;
@@ -77,15 +77,17 @@ start(Xml *x, const char *element, const char **attr)
 
 	if (strcmp(element, "DataArray") != 0)
 		return 0;
+	free(f->a.own);
+	f->a.own = NULL;
 	f->wanted = strcmp(xml_attribute(attr, "Intent"), "NIFTI_INTENT_POINTSET") != 0 &&
 	    strcmp(xml_attribute(attr, "Intent"), "NIFTI_INTENT_TRIANGLE") != 0;
 	if (!f->wanted)
 		return 0;
 	type = xml_attribute(attr, "DataType");
 	how = xml_attribute(attr, "Encoding");
-	for (k = 0; k < 3 && strcmp(how, coding[k]) != 0; k++)
+	for (k = 0; k < 4 && strcmp(how, coding[k]) != 0; k++)
 		;
-	if (k == 3 || (strcmp(type, "NIFTI_TYPE_FLOAT32") != 0 && strcmp(type, "NIFTI_TYPE_INT32") != 0))
+	if (k == 4 || (strcmp(type, "NIFTI_TYPE_FLOAT32") != 0 && strcmp(type, "NIFTI_TYPE_INT32") != 0))
 		return mesh_fail(f->r->s->err, MESH_EFORMAT, "array %d: %.40s %.40s is not read", f->count, how, type);
 	if ((e = xml_count(x, attr, "Dim0", &f->dim)) != 0 ||
 	    (*xml_attribute(attr, "Dim1") && (e = xml_count(x, attr, "Dim1", &columns)) != 0))
@@ -96,7 +98,7 @@ start(Xml *x, const char *element, const char **attr)
 	    .kind = strcmp(type, "NIFTI_TYPE_INT32") == 0 ? 'i' : 'f',
 	    .big = strcmp(xml_attribute(attr, "Endian"), "BigEndian") == 0 };
 	f->label = (Token){ "", 0 };
-	return 0;
+	return k == 3 ? xmlarray_external(x, attr, f->count, f->dim, &f->a) : 0;
 }
 
 static int
@@ -114,6 +116,8 @@ take(Fields *f)
 		return mesh_fail(f->r->s->err, MESH_EFORMAT, "array %d has %lld numbers, those before %d", f->count, f->dim, f->nv);
 	if (!(x = xmlarray_numbers(f->r, &f->a, "values", f->dim, &e)))
 		return e;
+	free(f->a.own);
+	f->a.own = NULL;
 	f->nv = (int)f->dim;
 	f->count++;
 	e = add(f->r, f->c, name, x, f->dim);
@@ -126,7 +130,7 @@ end(Xml *x, const char *element)
 {
 	Fields *f = x->arg;
 
-	if (strcmp(element, "Data") == 0)
+	if (strcmp(element, "Data") == 0 && !f->a.own)
 		f->a.text = x->text;
 	else if (strcmp(element, "Name") == 0)
 		f->key = xml_plain(x->text);
@@ -144,6 +148,7 @@ gifti(Reader *r, const char *name, Channels *c, int *nv)
 	Xml x = { .r = r, .arg = &f, .start = start, .end = end };
 	int e = xml_read(&x, r->end, 1);
 
+	free(f.a.own);
 	if (!e && !f.count)
 		e = mesh_fail(r->s->err, MESH_EFORMAT, "no array of numbers at vertices");
 	*nv = f.nv;
@@ -155,7 +160,7 @@ static int
 ply(Reader *r, Channels *c, int *nv)
 {
 	Soup *s = r->s;
-	int e = meshfile_parse_fields(s, r->p, scan_left(r), r->most), k;
+	int e = meshfile_parse_as(s, r->p, scan_left(r), &(MeshParse){ .most = r->most, .what = MESHFILE_FIELDS }), k;
 
 	for (k = 0; !e && k < s->channels.n; k++)
 		if (strcmp(s->channels.channel[k].name, MESH_SOURCE) != 0)
@@ -168,10 +173,13 @@ ply(Reader *r, Channels *c, int *nv)
 }
 
 int
-fieldfile_parse(const char *bytes, size_t n, const char *name, Channels *c, int *nv, char err[MESH_ERRLEN])
+fieldfile_parse(const char *bytes, size_t n, const char *name, const MeshBeside *beside, Channels *c, int *nv,
+	char err[MESH_ERRLEN])
 {
+	const size_t most = MESHFILE_MOST;
 	Soup s = { .nv = 0 };
-	Reader r = { .p = bytes, .end = bytes + n, .line = 1, .most = (size_t)1 << 32, .unused = n, .s = &s };
+	Reader r = { .p = bytes, .end = bytes + n, .line = 1, .most = most, .unused = n, .s = &s,
+		.beside = beside, .most_beside = most };
 	int e;
 
 	*c = (Channels){ 0 };

@@ -46,6 +46,8 @@ data_array(Gifti *g, Xml *x, const char **attr)
 	const char *intent = xml_attribute(attr, "Intent");
 	int e, t, coding;
 
+	free(g->a.own);
+	g->a.own = NULL;
 	g->intent = strcmp(intent, "NIFTI_INTENT_POINTSET") == 0 ? POINTS :
 	    strcmp(intent, "NIFTI_INTENT_TRIANGLE") == 0 ? TRIANGLES : OTHER;
 	if (g->intent == OTHER)
@@ -56,13 +58,8 @@ data_array(Gifti *g, Xml *x, const char **attr)
 	    (e = choice(g, attr, "Encoding", encoding, 4, &coding)) != 0 ||
 	    (e = xml_count(x, attr, "Dim0", &g->dim[0])) != 0 || (e = xml_count(x, attr, "Dim1", &g->dim[1])) != 0)
 		return e;
-	if (coding == 3) {
-		const char *file = xml_attribute(attr, "ExternalFileName");
-		char show[SCAN_SHOW];
-
-		return mesh_fail(g->r->s->err, MESH_EFORMAT, "array %lld is in an external file, '%s', which is not read",
-		    g->arrays, scan_show((Token){ file, strlen(file) }, show));
-	}
+	if (g->dim[0] > (1LL << 32))
+		return mesh_fail(g->r->s->err, MESH_EFORMAT, "array %lld announces %lld rows", g->arrays, g->dim[0]);
 	if (g->dim[1] != 3)
 		return mesh_fail(g->r->s->err, MESH_EFORMAT, "array %lld has %lld numbers for each %s, not 3", g->arrays,
 		    g->dim[1], g->intent == POINTS ? "point" : "triangle");
@@ -71,7 +68,7 @@ data_array(Gifti *g, Xml *x, const char **attr)
 	g->a.coding = coding ? XML_BASE64 : XML_ASCII;
 	g->a.packing = coding == 2 ? XML_ZLIB : XML_PLAIN;
 	g->a.text = (Token){ NULL, 0 };
-	return 0;
+	return coding == 3 ? xmlarray_external(x, attr, g->arrays, 3*g->dim[0], &g->a) : 0;
 }
 
 static int
@@ -138,10 +135,10 @@ take(Gifti *g)
 
 	if ((*read)++)
 		return mesh_fail(g->r->s->err, MESH_EFORMAT, "more than one array of %s", points ? "points" : "triangles");
-	if (g->dim[0] > (1LL << 32))
-		return mesh_fail(g->r->s->err, MESH_EFORMAT, "array %lld announces %lld rows", g->arrays, g->dim[0]);
 	if (!(f = xmlarray_numbers(g->r, &g->a, what, 3*g->dim[0], &e)))
 		return e;
+	free(g->a.own);
+	g->a.own = NULL;
 	e = points ? take_points(g, f) : take_triangles(g, f);
 	free(f);
 	return e;
@@ -165,7 +162,7 @@ end(Xml *x, const char *name)
 	Gifti *g = x->arg;
 	int e = 0;
 
-	if (strcmp(name, "Data") == 0)
+	if (strcmp(name, "Data") == 0 && !g->a.own)
 		g->a.text = x->text;
 	else if (strcmp(name, "Name") == 0)
 		g->name = xml_plain(x->text);
@@ -218,6 +215,7 @@ gifti_read(Reader *r)
 	Xml x = { .r = r, .arg = &g, .start = start, .end = end };
 	int e = xml_read(&x, r->end, 1);
 
+	free(g.a.own);
 	if (e)
 		return e;
 	if (g.arrays != g.announced)

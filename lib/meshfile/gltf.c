@@ -1,4 +1,4 @@
-/* gltf.c - glTF 2: .gltf (JSON with data inside) and .glb.  The triangles of all meshes of the scene.
+/* gltf.c - glTF 2: .gltf (JSON with its data inside or in files beside it) and .glb.  The triangles of all meshes of the scene.
  *
  * The JSON and the geometry are read here, not by a library such as tinygltf: that is C++, opens files of its
  * own accord, decodes images, and takes memory by the counts that a file announces. */

@@ -1,7 +1,9 @@
 /* gltfdata.c - buffers and accessors of glTF. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "beside.h"
 #include "gltfpriv.h"
 
 long long
@@ -15,16 +17,20 @@ gltf_item(Gltf *g, int list, long long i)
 	return -1;
 }
 
+static int
+is_data(Token uri)
+{
+	return uri.n > 5 && memcmp(uri.s, "data:", 5) == 0;
+}
+
 /* Decodes a uri "data:..;base64,..". */
 static int
 embedded(Gltf *g, GltfBuffer *b, long long i, Token uri, long long n)
 {
-	const char *p = uri.n > 5 && memcmp(uri.s, "data:", 5) == 0 ? memchr(uri.s, ',', uri.n) : NULL;
-	char show[SCAN_SHOW];
+	const char *p = memchr(uri.s, ',', uri.n);
 
 	if (!p)
-		return mesh_fail(g->r->s->err, MESH_EFORMAT,
-		    "buffer %lld is in a file of its own, '%s', which is not read: .glb has all in one", i, scan_show(uri, show));
+		return mesh_fail(g->r->s->err, MESH_EFORMAT, "buffer %lld: its data: uri has no comma", i);
 	p++;
 	if ((size_t)n > uri.n/4*3)
 		return mesh_fail(g->r->s->err, MESH_EFORMAT, "buffer %lld announces %lld bytes, has at most %zu", i, n, uri.n/4*3);
@@ -34,13 +40,50 @@ embedded(Gltf *g, GltfBuffer *b, long long i, Token uri, long long n)
 	return base64_read(g->r, "buffer", &p, uri.s + uri.n, (size_t)n, b->own);
 }
 
+/* Whether the uri begins with a scheme, such as https: */
+static int
+has_scheme(const char *uri, long n)
+{
+	long i = 0;
+
+	while (i < n && uri[i] && strchr("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-.", uri[i]))
+		i++;
+	return i > 0 && i < n && uri[i] == ':';
+}
+
+/* Reads the file that the uri names, a path in which %20 is a blank. */
+static int
+external(Gltf *g, GltfBuffer *b, long long i, long long uri, long long n)
+{
+	char name[2000], what[40];
+	long k, m = 0, size = json_unescaped(&g->j, uri, name, sizeof name), byte;
+	char show[SCAN_SHOW];
+	int e;
+
+	if (size < 0 || has_scheme(name, size))
+		return mesh_fail(g->r->s->err, MESH_EFORMAT, "buffer %lld has the uri '%s', which is neither data: nor the name of a "
+		    "file", i, scan_show(json_text(&g->j, uri), show));
+	for (k = 0; k < size; k++)
+		if (name[k] == '%' && size - k > 2 && (byte = json_hex(name + k + 1, 2)) >= 0)
+			name[m++] = (char)byte, k += 2;
+		else
+			name[m++] = name[k];
+	snprintf(what, sizeof what, "buffer %lld", i);
+	if ((e = beside_read(g->r, what, (Token){ name, (size_t)m }, 0, (size_t)n, &b->own)) != 0)
+		return e;
+	b->p = b->own;
+	g->size += (size_t)n;
+	return 0;
+}
+
 /* Buffer i, loaded at its first use. */
 static int
 buffer(Gltf *g, long long i, GltfBuffer **out)
 {
 	const long long v = gltf_item(g, GLTF_BUFFERS, i);
 	const long long n = json_int(&g->j, json_get(&g->j, v, "byteLength"), -1);
-	const Token uri = json_text(&g->j, json_get(&g->j, v, "uri"));
+	const long long at = json_get(&g->j, v, "uri");
+	const Token uri = json_text(&g->j, at);
 	GltfBuffer *b;
 
 	if (v < 0)
@@ -52,7 +95,7 @@ buffer(Gltf *g, long long i, GltfBuffer **out)
 		return mesh_fail(g->r->s->err, MESH_EFORMAT, "buffer %lld has no byteLength", i);
 	b->n = (size_t)n;
 	if (uri.n > 0)
-		return embedded(g, b, i, uri, n);
+		return is_data(uri) ? embedded(g, b, i, uri, n) : external(g, b, i, at, n);
 	if (i > 0 || !g->bin || (size_t)n > g->nbin)
 		return mesh_fail(g->r->s->err, MESH_EFORMAT, "buffer %lld announces %lld bytes, the binary chunk has %zu", i, n,
 		    g->nbin);

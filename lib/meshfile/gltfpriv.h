@@ -14,14 +14,14 @@ typedef struct GltfList {
 enum { GLTF_BUFFERS, GLTF_VIEWS, GLTF_ACCESSORS, GLTF_MESHES, GLTF_NODES, GLTF_SCENES, GLTF_LISTS };
 
 typedef struct GltfBuffer {
-	const char *p;          /* its bytes, NULL before it is used; in the file, or malloc'd */
+	const char *p;          /* its bytes, NULL before it is used; in the file, or own */
 	size_t n;
-	char *own;
+	char *own;              /* malloc'd, or NULL */
 } GltfBuffer;
 
 typedef struct Gltf {
 	Reader *r;
-	size_t size;            /* of the file, in bytes */
+	size_t size;            /* of the file and of what was read of files beside it, in bytes */
 	Json j;
 	const char *bin;        /* the binary chunk of .glb, NULL: none */
 	size_t nbin;

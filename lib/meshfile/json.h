@@ -40,4 +40,11 @@ long long json_int(const Json *j, long long v, long long none);
 /* The text of a string between its quotes, or of another value; empty if it is missing. */
 Token json_text(const Json *j, long long v);
 
+/* The n hexadecimal digits at p as a number, -1 if they are none. */
+long json_hex(const char *p, int n);
+
+/* Copies the string with its escapes replaced, in UTF-8, and returns its length; -1 if it does not fit into size bytes
+ * or has an escape that is none. */
+long json_unescaped(const Json *j, long long v, char *to, size_t size);
+
 #endif

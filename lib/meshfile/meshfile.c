@@ -138,15 +138,13 @@ check_corners(Reader *r)
 	return 0;
 }
 
-enum { PARSE_UV = 1, PARSE_LOOSE = 2, PARSE_FIELDS = 4 };
-
 static int
-parse_unpacked(Soup *s, const char *p, size_t n, size_t most, int flags)
+parse_unpacked(Soup *s, const char *p, size_t n, const MeshParse *how)
 {
 	const MeshStart m = beginning_of(p, n, n, n);
-	Reader r = { .p = m.p, .end = m.p + m.n, .line = 1, .s = s, .most = most, .unused = m.n,
-		.read_uv = flags & PARSE_UV, .loose = flags & PARSE_LOOSE,
-		.fields = flags & PARSE_FIELDS };
+	Reader r = { .p = m.p, .end = m.p + m.n, .line = 1, .s = s, .most = how->most, .unused = m.n,
+		.read_uv = (how->what & MESHFILE_UV) != 0, .loose = (how->what & MESHFILE_LOOSE) != 0,
+		.fields = (how->what & MESHFILE_FIELDS) != 0, .beside = how->beside, .most_beside = how->most };
 	const MeshFormat *format;
 	char list[MESHFORMAT_LIST];
 	int e;
@@ -169,8 +167,8 @@ parse_unpacked(Soup *s, const char *p, size_t n, size_t most, int flags)
 	return e;
 }
 
-static int
-parse(Soup *s, const void *bytes, size_t n, size_t most, int flags)
+int
+meshfile_parse_as(Soup *s, const void *bytes, size_t n, const MeshParse *how)
 {
 	const char *p = bytes;
 	char *out;
@@ -178,10 +176,10 @@ parse(Soup *s, const void *bytes, size_t n, size_t most, int flags)
 
 	memset(s, 0, sizeof *s);
 	if (!is_gzip(p, n))
-		return parse_unpacked(s, p, n, most, flags);
-	if ((e = gunzip(p, n, most, &out, &n, s->err)) != 0)
+		return parse_unpacked(s, p, n, how);
+	if ((e = gunzip(p, n, how->most, &out, &n, s->err)) != 0)
 		return e;
-	e = parse_unpacked(s, out, n, most, flags);
+	e = parse_unpacked(s, out, n, how);
 	free(out);
 	return e;
 }
@@ -189,25 +187,7 @@ parse(Soup *s, const void *bytes, size_t n, size_t most, int flags)
 int
 meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most)
 {
-	return parse(s, bytes, n, most, 0);
-}
-
-int
-meshfile_parse_uv(Soup *s, const void *bytes, size_t n, size_t most)
-{
-	return parse(s, bytes, n, most, PARSE_UV);
-}
-
-int
-meshfile_parse_loose(Soup *s, const void *bytes, size_t n, size_t most)
-{
-	return parse(s, bytes, n, most, PARSE_LOOSE);
-}
-
-int
-meshfile_parse_fields(Soup *s, const void *bytes, size_t n, size_t most)
-{
-	return parse(s, bytes, n, most, PARSE_FIELDS);
+	return meshfile_parse_as(s, bytes, n, &(MeshParse){ .most = most });
 }
 
 int

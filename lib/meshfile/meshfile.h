@@ -26,8 +26,8 @@
  * VTK  legacy files of versions 1 to 5.1, ASCII and binary: POLYDATA, polygons and triangle strips; attributes
  *      are skipped
  * VTP  VTK XML files of PolyData: ASCII, base64, appended; plain or packed by zlib
- * GIFTI       surfaces: ASCII, Base64Binary, GZipBase64Binary; transforms are not applied
- * glTF 2  .glb, and .gltf with its data inside: triangles, strips and fans of all meshes of the scene, placed by
+ * GIFTI       surfaces: ASCII, Base64Binary, GZipBase64Binary, ExternalFileBinary; transforms are not applied
+ * glTF 2  .glb and .gltf, with their data inside or in files beside them: triangles, strips and fans of all meshes of the scene, placed by
  *      the transforms of their nodes; vertices are not welded; a scene that needs more than 8 bytes for each byte
  *      of the file, as a mesh that many nodes use can, is refused
  *
@@ -44,10 +44,20 @@
  * that unpack to more than `most` bytes are refused.  So are data that unpack to more than 4 KiB
  * plus 1100 bytes for each byte of input: they are damaged, as deflate compresses by at most
  * 1030:1.  Data packed inside a VTP or GIFTI file count as unpacked bytes by the number that the file
- * announces, with the same two limits. */
+ * announces, with the same two limits.  GIFTI and glTF with a part in other files are refused. */
 int meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most);
 
-/* Like meshfile_parse, but also reads the (u,v) of every vertex into the channel MESH_UV, the
+/* Reads files beside a mesh file that hold a part of it. */
+typedef struct MeshBeside {
+	/* Sets *bytes, malloc'd, to the bytes of the file `name` from byte `from` on, *n of them: `want`, or fewer where
+	 * the file ends before.  The name is relative to the folder of the mesh, and has no folder "..".  Returns 0, or
+	 * MESH_ENOMEM or MESH_EFORMAT with the reason in err and nothing to free. */
+	int (*read)(const void *arg, const char *name, unsigned long long from, size_t want, char **bytes, size_t *n,
+		char err[MESH_ERRLEN]);
+	const void *arg;
+} MeshBeside;
+
+/* MESHFILE_UV: also reads the (u,v) of every vertex into the channel MESH_UV, the
  * height T of their chart into s->T (0 if the file does not have it) and its kind into s->chart (the
  * rectangle if only T is there, NULL if neither is), and the offsets, if the file has them, into the channel
  * MESH_OFFSET:
@@ -63,17 +73,26 @@ int meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most);
  * In an OBJ, a vertex that belongs to no face gets (-1,-1).  Returns MESH_EFORMAT also if the
  * format has no (u,v), if (u,v) are missing, or if only some vertices have offsets.  Returns
  * MESH_EVALUE also if a (u,v) or an offset is not finite, if the fourth number of an offset is
- * negative, if T is not positive, or if a vertex has two different (u,v). */
-int meshfile_parse_uv(Soup *s, const void *bytes, size_t n, size_t most);
-
-/* Like meshfile_parse, for callers that check the result: coordinates may be NaN or infinite, and
- * corners may be numbers of vertices that do not exist; a number beyond an int becomes one below 0.
- * Returns 0, MESH_ENOMEM or MESH_EFORMAT. */
-int meshfile_parse_loose(Soup *s, const void *bytes, size_t n, size_t most);
-
-/* As meshfile_parse; and every other number that PLY has at the vertices becomes a channel of its name: colours,
+ * negative, if T is not positive, or if a vertex has two different (u,v).
+ *
+ * MESHFILE_LOOSE: for callers that check the result.  Coordinates may be NaN or infinite, and corners
+ * may be numbers of vertices that do not exist; a number beyond an int becomes one below 0.  Returns 0,
+ * MESH_ENOMEM or MESH_EFORMAT.
+ *
+ * MESHFILE_FIELDS: every other number that PLY has at the vertices becomes a channel of its name: colours,
  * quality, but not normals and texture coordinates.  Values may be infinite or nan. */
-int meshfile_parse_fields(Soup *s, const void *bytes, size_t n, size_t most);
+enum { MESHFILE_UV = 1, MESHFILE_LOOSE = 2, MESHFILE_FIELDS = 4 };
+
+/* How to parse a mesh file. */
+typedef struct MeshParse {
+	size_t most;            /* as for meshfile_parse; files beside the mesh have at most as many bytes, too, together */
+	unsigned what;          /* flags from above */
+	const MeshBeside *beside;       /* NULL: the mesh comes from a pipe, and files beside it are refused */
+} MeshParse;
+
+/* As meshfile_parse, which is this with no flags and no files beside the mesh.  The bytes read of these count as
+ * bytes of input. */
+int meshfile_parse_as(Soup *s, const void *bytes, size_t n, const MeshParse *how);
 
 /* Checks whether a file can be a mesh.  It has at most `most` bytes, and the first n are at head.
  * Returns 0, also if n bytes are too few to decide, or MESH_EFORMAT with the reason in err.  An

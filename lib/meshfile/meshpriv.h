@@ -12,14 +12,14 @@ typedef struct Reader {
 	const char *p, *end;    /* the remaining bytes */
 	long   line;            /* the line of p, counted from 1 */
 	int    hash;            /* # begins a comment */
-	int    read_uv;          /* read MESH_UV and s->T */
-	int    loose;           /* as meshfile_parse_loose says */
-	int    fields;          /* as meshfile_parse_fields says */
+	int    read_uv, loose, fields;          /* MESHFILE_UV, MESHFILE_LOOSE, MESHFILE_FIELDS of meshfile.h */
 	double *uv;             /* the values of MESH_UV, once uv_start made it */
 	double (*offset)[4];    /* the values for MESH_OFFSET; noffset of them were read */
 	size_t noffset, capoffset;
 	size_t most;            /* the most bytes that packed data in the file may unpack to */
 	size_t unused;          /* bytes of the file that arrays of XML may still take: each one once */
+	const struct MeshBeside *beside;        /* reads files beside this one; NULL: there are none */
+	size_t most_beside;     /* the most bytes that may still be read of them */
 	Soup  *s;
 	size_t ni;              /* corners read, including those of the unfinished face */
 	size_t capv, capf, capi;        /* the allocated lengths of xyz/3, first and idx */

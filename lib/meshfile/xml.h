@@ -45,11 +45,17 @@ typedef struct XmlArray {
 	int   head;             /* VTK: size of the integers before the bytes, 4 or 8; 0: none */
 	int   size, kind;       /* of a number: 4 or 8; 'i' signed, 'u' unsigned, 'f' floating; size 0, or text.s NULL: no array */
 	int   big;
+	char *own;              /* the bytes of text if they are malloc'd: in another file */
 } XmlArray;
 
 /* The n numbers of the array a, malloc'd; an array of other length is refused.  `what` names it in messages.
  * NULL, with *e set to MESH_ENOMEM or MESH_EFORMAT and the reason in r->s->err, if it fails.  Packed
  * data may unpack to at most 4 KiB plus 1100 bytes for each of theirs, and r->most bytes. */
 double *xmlarray_numbers(Reader *r, const XmlArray *a, const char *what, long long n, int *e);
+
+/* GIFTI: sets the text of a, of which size is set, to the bytes of n numbers in another file, by the attributes
+ * ExternalFileName and ExternalFileOffset of a DataArray, which is number i of them.  Returns 0 or a MESH_E code; 0:
+ * a->own is to be freed. */
+int xmlarray_external(Xml *x, const char **attr, long long i, long long n, XmlArray *a);
 
 #endif

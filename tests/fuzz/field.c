@@ -14,7 +14,7 @@ LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 	Channels c;
 	int nv = -1, k, i;
 
-	if (fieldfile_parse((const char *)data, n, "name", &c, &nv, err)) {
+	if (fieldfile_parse((const char *)data, n, "name", NULL, &c, &nv, err)) {
 		fuzz_need(*err && !strchr(err, '\n'), "a refusal without one line");
 		fuzz_need(fuzz_live() == before, "memory is lost");
 		return 0;

@@ -8,8 +8,6 @@
 #include "../../lib/meshfile/meshfile.h"
 #include "fuzz.h"
 
-typedef int Parse(Soup *s, const void *bytes, size_t n, size_t most);
-
 static const size_t MOST = (size_t)1 << 32;      /* largest size that gzip data may unpack to */
 
 size_t
@@ -106,7 +104,7 @@ same(const Soup *a, const Soup *b, const MeshFormat *format)
 
 /* Checks that s is the same after it was written in this format and read again. */
 static void
-comesback(const Soup *s, const MeshFormat *format, Parse *parse)
+comesback(const Soup *s, const MeshFormat *format, unsigned what)
 {
 	Soup again;
 	size_t n;
@@ -117,7 +115,7 @@ comesback(const Soup *s, const MeshFormat *format, Parse *parse)
 	if ((format->can & MESHFORMAT_SINGLE) && (e == MESH_EVALUE || e == MESH_EFACE))
 		return;                 /* beyond the range of a float, or a polygon */
 	fuzz_need(e == 0, "an accepted mesh cannot be written");
-	e = parse(&again, p, n, MOST);
+	e = meshfile_parse_as(&again, p, n, &(MeshParse){ .most = MOST, .what = what });
 	free(p);
 	fuzz_need(e == 0 || s->nv == 0, "what was written is refused");
 	if (e)
@@ -153,7 +151,7 @@ apart(const Soup *s, const MeshFormat *format)
 /* Checks writing in format i (modulo their number), or in the next one that can be written and, if s
  * has (u,v), stores them. */
 static void
-written(const Soup *s, size_t i, Parse *parse)
+written(const Soup *s, size_t i, unsigned what)
 {
 	const unsigned can = MESHFORMAT_WRITE | (channel_find(&s->channels, MESH_UV) ? MESHFORMAT_UV : 0);
 	const MeshFormat *f;
@@ -164,20 +162,49 @@ written(const Soup *s, size_t i, Parse *parse)
 	while (f = meshformat((int)(i % rows)), (f->can & can) != can)
 		i++;
 	if (f->can & MESHFORMAT_SHARED)
-		comesback(s, f, parse);
+		comesback(s, f, what);
 	else
 		apart(s, f);
 }
 
-static void
-one(Parse *parse, const uint8_t *data, size_t n, size_t most)
+static size_t left_beside;     /* bytes that may still be read of files beside the mesh */
+
+/* Files beside the mesh: 500 bytes, of which numbers of vertices and coordinates can be made. */
+static int
+beside(const void *arg, const char *name, unsigned long long from, size_t want, char **bytes, size_t *n,
+	char err[MESH_ERRLEN])
 {
+	enum { SIZE = 500 };
+	const size_t left = from < SIZE ? SIZE - (size_t)from : 0;
+	size_t i;
+
+	(void)arg;
+	fuzz_need(*name && *name != '/' && !strstr(name, "/../") && strncmp(name, "../", 3) != 0, "a name leaves the folder");
+	if (*name == 'n' || want > left_beside) {
+		snprintf(err, MESH_ERRLEN, "not there");
+		return MESH_EFORMAT;
+	}
+	*n = want < left ? want : left;
+	left_beside -= *n;
+	*bytes = malloc(*n + 1);
+	for (i = 0; i < *n; i++)
+		(*bytes)[i] = (from + i)%4 ? 0 : (char)((from + i)%28/4);
+	return 0;
+}
+
+static void
+one(unsigned what, const uint8_t *data, size_t n, size_t most)
+{
+	enum { BESIDE = 2000 };         /* bytes of other files, at most */
+	const MeshBeside files = { beside, NULL };
 	const size_t before = fuzz_live();
 	Soup s;
 	int e;
 
 	fuzz_mark();
-	e = parse(&s, data, n, MOST);
+	most += 16*BESIDE;
+	left_beside = BESIDE;
+	e = meshfile_parse_as(&s, data, n, &(MeshParse){ MOST, what, &files });
 	if (fuzz_peak() - before > most)
 		fprintf(stderr, "fuzz: %zu bytes for %zu, not %zu\n", fuzz_peak() - before, n, most);
 	fuzz_need(fuzz_peak() - before <= most, "too much memory");
@@ -185,7 +212,7 @@ one(Parse *parse, const uint8_t *data, size_t n, size_t most)
 		refused(&s);
 	} else {
 		valid(&s);
-		written(&s, n, parse);
+		written(&s, n, what);
 		soup_free(&s);
 	}
 	fuzz_need(fuzz_live() == before, "memory is lost");
@@ -194,8 +221,8 @@ one(Parse *parse, const uint8_t *data, size_t n, size_t most)
 void
 fuzz_mesh(const uint8_t *data, size_t n, size_t most)
 {
-	one(meshfile_parse, data, n, most);
-	one(meshfile_parse_uv, data, n, most);
+	one(0, data, n, most);
+	one(MESHFILE_UV, data, n, most);
 }
 
 void
