@@ -87,7 +87,7 @@ assert list(v.dtype.names) == ["x", "y", "z", "H", "lambda"]'
 	[ ! -e "$tmp/no.curv" ] && [ ! -e "$tmp/no.ply" ]
 }
 
-@test "numbers of the mesh become channels, are filtered, and come back to the vertices" {
+@test "numbers of the mesh become channels and come back to the vertices" {
 	grid2mesh --on "$tmp/uv.ply" --with=H "$tmp/lh" -o "$tmp/torus.curv"
 	grid2mesh --on "$tmp/uv.ply" --with=lambda "$tmp/lh" -o "$tmp/lh.depth.shape.gii"
 	for chart in rectangle sock; do
@@ -149,6 +149,94 @@ for name, x in ("red", 127 + 100*p["x"]), ("green", 127 + 100*p["y"]), ("blue", 
 assert abs(p["quality"] - p["x"] + p["y"])[far].max() < .01'
 	mkmesh -n 50 cap -o "$tmp/plain.ply"
 	try 1 'no numbers at the vertices' /dev/null mesh2rect --with="$tmp/plain.ply" "$tmp/plain.ply"
+}
+
+@test "filters change lambda and H and leave numbers of the mesh bit by bit, along the pipeline" {
+	local f
+	grid2mesh --on "$tmp/uv.ply" --with=H "$tmp/lh" -o "$tmp/torus.curv"
+	mesh2rect -q -n 64 --with="$tmp/torus.curv" --uv="$tmp/w.ply" "$tmp/torus.off" | grid2lh 2>/dev/null >"$tmp/carried"
+	mesh2rect -q -n 64 "$tmp/torus.off" | grid2lh 2>/dev/null >"$tmp/alone"
+	for f in --scale=5%,20% --relief=1% -K\ 3 --low-pass=4,9 --keep=50 --energy=.9 --paper\ -K\ .5; do
+		# shellcheck disable=SC2086      # two words
+		lhfft -q $f "$tmp/carried" -o "$tmp/filtered"
+		# shellcheck disable=SC2086
+		lhfft -q $f "$tmp/alone" -o "$tmp/filtered-alone"
+		py '
+first, n = next(lhg.read("carried")), 0
+for g, a in zip(lhg.read("filtered"), lhg.read("filtered-alone"), strict=True):
+    n += 1
+    assert set(g.channels) == set(a.channels) | {"torus"}
+    assert (g["torus"] == first["torus"]).all()
+    assert np.ptp(g["torus"]) > .1
+    assert all((g[c] == a[c]).all() for c in a.channels)
+    assert (g["H"] != first["H"]).any() and (g["lambda"] != first["lambda"]).any()
+assert n == 1 + ("," in "'"$f"'")'
+	done
+	lhfft -q --scale=10% "$tmp/carried" | lh2grid -q 2>/dev/null >"$tmp/smooth"
+	grid2mesh --on "$tmp/w.ply" --with=torus "$tmp/smooth" -o "$tmp/smooth.ply"
+	grid2mesh --on "$tmp/uv.ply" --with=H "$tmp/lh" -o "$tmp/want.ply"
+	py '
+a, b = ply("smooth.ply"), ply("want.ply")
+e = abs(a["torus"] - b["H"])
+assert np.median(e) < 2e-3*np.ptp(b["H"])
+assert abs(a["z"] - b["z"]).max() > 1e-3'
+}
+
+# bowl NAME ALONE FACES: writes a bowl with a hole, and ALONE vertices of no face before the others, as NAME.ply with the
+# number q = x at its vertices, and x as NAME.curv, which says that the mesh has FACES faces (none: the true number).
+bowl() {
+	py '
+n, alone = 15, '$2'
+ij = [(i, j) for j in range(n) for i in range(n) if not (5 < i < 10 and 5 < j < 10)]
+at = {p: alone + k for k, p in enumerate(ij)}
+v = [(9, 9, 9, 9)]*alone + [(i/7 - 1, j/7 - 1, .3*((i/7 - 1)**2 + (j/7 - 1)**2), i/7 - 1) for i, j in ij]
+c = [[at[p] for p in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1))] for i, j in ij
+    if i < n - 1 and j < n - 1 and not (5 <= i < 10 and 5 <= j < 10)]
+t = np.zeros(2*len(c), "u1, 3<i4")
+t["f0"] = 3
+t["f1"] = [k for a, b, c, d in c for k in ((a, b, c), (a, c, d))]
+open("'$1'.ply", "wb").write(("ply\nformat binary_little_endian 1.0\nelement vertex %d\nproperty double x\nproperty double y\n"
+    "property double z\nproperty double q\nelement face %d\nproperty list uchar int vertex_indices\nend_header\n" %
+    (len(v), len(t))).encode() + np.array(v).tobytes() + t.tobytes())
+open("'$1'.curv", "wb").write(b"\xff\xff\xff" + struct.pack(">3i", len(v), '${3:-len(t)}', 1) + np.array(v)[:, 3].astype(">f4").tobytes())'
+}
+
+# holds_x CHANNEL: checks that the channel of x.lhg is x, but for the filled hole.
+holds_x() {
+	py '
+g = next(lhg.read("x.lhg"))
+e = abs(g["'$1'"] - g["x"])
+assert np.median(e) < 1e-3 and np.percentile(e, 75) < .02, (np.median(e), np.percentile(e, 75))'
+}
+
+@test "numbers that fit the mesh and what mesh2disk made it of are told apart" {
+	local added faces f
+	bowl probe 0
+	mesh2disk -q "$tmp/probe.ply" -o "$tmp/probe-disk.ply"
+	added=$(py 'print((ply("probe-disk.ply")["source"] == -1).sum())')
+	bowl orig "$added"
+	bowl zero "$added" 0
+	mesh2disk -q "$tmp/orig.ply" -o "$tmp/disk.ply"
+	py '
+p, q = ply("orig.ply"), ply("disk.ply")
+assert len(p) == len(q) and (q["source"] != np.arange(len(q))).all()'
+	faces=$(mesh2disk --check --json "$tmp/disk.ply" | sed -n 's/.*"faces": \([0-9]*\),.*/\1/p')
+	py '
+q = ply("disk.ply")
+open("own.ply", "wb").write(("ply\nformat binary_little_endian 1.0\nelement vertex %d\nproperty double x\nproperty double y\n"
+    "property double z\nproperty double q\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n" % len(q)).encode() +
+    np.stack([q[k] for k in "xyzx"], -1).tobytes())
+open("own.curv", "wb").write(b"\xff\xff\xff" + struct.pack(">3i", len(q), '"$faces"', 1) + q["x"].astype(">f4").tobytes())'
+	# The vertices of a PLY tell; a curvature file has the number of faces.
+	for f in orig own; do
+		try 0 '' /dev/null mesh2rect -q -n 16 --with="$tmp/$f.ply" "$tmp/disk.ply" -o "$tmp/x.lhg"
+		holds_x q
+		try 0 '' /dev/null mesh2rect -q -n 16 --with="$tmp/$f.curv" "$tmp/disk.ply" -o "$tmp/x.lhg"
+		holds_x $f
+	done
+	try 0 'fit the mesh and what mesh2disk made it of: taken as those of the latter' /dev/null \
+		mesh2rect -n 16 --with="$tmp/zero.curv" "$tmp/disk.ply" -o "$tmp/x.lhg"
+	holds_x zero
 }
 
 @test "nibabel reads the fields and surfaces" {

@@ -228,19 +228,18 @@ fields(void **state)
 	    "DataType=\"NIFTI_TYPE_FLOAT32\" Dim0=\"5\" Encoding=\"ExternalFileBinary\" Endian=\"LittleEndian\" "
 	    "ExternalFileName=\"x.dat\" ExternalFileOffset=\"36\"><Data/></DataArray></GIFTI>";
 	char err[MESH_ERRLEN];
-	Channels c;
-	int nv;
+	FieldFile f;
 
 	(void)state;
 	holds(POINTS CORNERS, BOTH);
-	assert_int_equal(fieldfile_parse(text, sizeof text - 1, "name", &beside, &c, &nv, err), 0);
-	assert_int_equal(nv, 5);
-	assert_float_equal(channel_values(&c, "name")[2], .5, 0);
-	channels_free(&c);
+	assert_int_equal(fieldfile_parse(text, sizeof text - 1, "name", &beside, &f, err), 0);
+	assert_int_equal(f.nv, 5);
+	assert_float_equal(channel_values(&f.c, "name")[2], .5, 0);
+	fieldfile_free(&f);
 	holds(POINTS, NPOINTS);
-	assert_int_equal(fieldfile_parse(text, sizeof text - 1, "name", &beside, &c, &nv, err), MESH_EFORMAT);
+	assert_int_equal(fieldfile_parse(text, sizeof text - 1, "name", &beside, &f, err), MESH_EFORMAT);
 	assert_non_null(strstr(err, "array 0 is in 'x.dat' beside the mesh, which has 12 bytes from 36 on, need 20"));
-	assert_int_equal(fieldfile_parse(text, sizeof text - 1, "name", NULL, &c, &nv, err), MESH_EFORMAT);
+	assert_int_equal(fieldfile_parse(text, sizeof text - 1, "name", NULL, &f, err), MESH_EFORMAT);
 	assert_non_null(strstr(err, "cannot be found from a pipe"));
 }
 

@@ -6,6 +6,7 @@
 #include "../../lib/meshfile/fieldfile.h"
 #include "../shared/beside.h"
 #include "../shared/cmd.h"
+#include "carry.h"
 #include "withopt.h"
 
 /* Whether d's channel was read by --with, and can be a channel of a grid. */
@@ -41,84 +42,33 @@ clean(char *name)
 			*name = '_';
 }
 
-/* Gives each vertex that has none (known 0) the mean of its neighbours' numbers, from face to face; 0 if no face
- * leads to it. */
-static void
-spread(const Soup *s, unsigned char *known, double *f)
-{
-	double *sum = cmd_alloc((size_t)s->nv, sizeof *sum);
-	int *n = cmd_alloc((size_t)s->nv, sizeof *n), k, i, p, found;
-
-	do {
-		found = 0;
-		memset(sum, 0, (size_t)s->nv*sizeof *sum);
-		memset(n, 0, (size_t)s->nv*sizeof *n);
-		for (k = 0; k < s->nf; k++)
-			for (i = s->first[k]; i < s->first[k+1]; i++)
-				for (p = s->first[k]; p < s->first[k+1] && !known[s->idx[i]]; p++)
-					if (known[s->idx[p]]) {
-						sum[s->idx[i]] += f[s->idx[p]];
-						n[s->idx[i]]++;
-					}
-		for (p = 0; p < s->nv; p++)
-			if (n[p]) {
-				f[p] = sum[p]/n[p];
-				known[p] = 1;
-				found = 1;
-			}
-	} while (found);
-	free(sum);
-	free(n);
-}
-
-/* Sets `to` to the numbers `from` of a file of nv vertices: those of s, or those of the file that s was made from, by
- * the channel MESH_SOURCE. */
-static void
-carry(const Soup *s, const double *source, int nv, const double *from, double *to)
-{
-	unsigned char *known;
-	int p;
-
-	if (nv == s->nv) {
-		memcpy(to, from, (size_t)nv*sizeof *to);
-		return;
-	}
-	known = cmd_alloc((size_t)s->nv, 1);
-	for (p = 0; p < s->nv; p++) {
-		known[p] = source[p] >= 0;
-		to[p] = known[p] ? from[(int)source[p]] : 0;
-	}
-	spread(s, known, to);
-	free(known);
-}
-
 static void
 read_file(const char *path, Soup *s)
 {
 	char name[CHANNEL_NAME], err[MESH_ERRLEN], *bytes;
+	const double *source;
 	MeshBeside beside;
-	Channels c;
+	FieldFile f;
 	size_t n;
-	int k, nv;
+	int k;
 
 	stem(path, name);
 	bytes = cmd_slurp(path, &n);
-	if (fieldfile_parse(bytes, n, name, beside_of(path, &beside), &c, &nv, err))
+	if (fieldfile_parse(bytes, n, name, beside_of(path, &beside), &f, err))
 		die("%s: %s", path, err);
-	if (nv != s->nv && !channel_source(&s->channels, s->nv, nv))
-		die("%s: %d numbers, the mesh has %d vertices", path, nv, s->nv);
-	for (k = 0; k < c.n; k++) {
+	free(bytes);
+	source = carry_source(path, &f, s);
+	for (k = 0; k < f.c.n; k++) {
 		double *to;
 
-		clean(c.channel[k].name);
-		if (channel_find(&s->channels, c.channel[k].name))
-			die("%s: a second channel %s", path, c.channel[k].name);
-		if (!(to = channel_add(&s->channels, c.channel[k].name, 1, (size_t)s->nv)))
+		clean(f.c.channel[k].name);
+		if (channel_find(&s->channels, f.c.channel[k].name))
+			die("%s: a second channel %s", path, f.c.channel[k].name);
+		if (!(to = channel_add(&s->channels, f.c.channel[k].name, 1, (size_t)s->nv)))
 			die("%s: no memory for %d numbers", path, s->nv);
-		carry(s, channel_values(&s->channels, MESH_SOURCE), nv, c.channel[k].f, to);
+		carry_numbers(s, source, f.c.channel[k].f, to);
 	}
-	channels_free(&c);
-	free(bytes);
+	fieldfile_free(&f);
 }
 
 void

@@ -30,12 +30,21 @@ char *fieldformat_ends(char buf[FIELDFORMAT_LIST]);
  * there is nothing to free.  Returns 0 or MESH_ENOMEM. */
 int fieldfile_write(const Channels *c, int nv, int nf, const FieldFormat *format, char **bytes, size_t *n);
 
+/* What a file of numbers at vertices has. */
+typedef struct FieldFile {
+	int      nv;
+	long long nf;           /* faces, as a FreeSurfer curvature file says; 0: not known */
+	double  *xyz;           /* [nv][3] the vertices of a PLY, else NULL */
+	Channels c;
+} FieldFile;
+
 /* Reads the channels of a FreeSurfer curvature file (named `name`), a GIFTI file (named by their metadatum Name, or
- * name, name_1 ..) or a PLY mesh (the numbers at its vertices but x y z, normals and texture coordinates), *nv numbers
- * each, to be freed.  beside reads external arrays of GIFTI; NULL: they are refused (meshfile.h).  Returns 0; or
+ * name, name_1 ..) or a PLY mesh (the numbers at its vertices but x y z, normals and texture coordinates), nv numbers
+ * each.  beside reads external arrays of GIFTI; NULL: they are refused (meshfile.h).  Returns 0; or
  * MESH_ENOMEM, MESH_EFORMAT, or MESH_EVALUE if a number is not finite, with the reason in err and nothing to free. */
-int fieldfile_parse(const char *bytes, size_t n, const char *name, const MeshBeside *beside, Channels *c, int *nv,
+int fieldfile_parse(const char *bytes, size_t n, const char *name, const MeshBeside *beside, FieldFile *f,
 	char err[MESH_ERRLEN]);
+void fieldfile_free(FieldFile *f);
 
 /* The writers: giftiwrite.c, fswrite.c. */
 int giftifields_write(struct Text *t, const Channels *c, int nv, int nf);

@@ -30,7 +30,7 @@ add(Reader *r, Channels *c, const char *name, const double *x, long long n)
 
 /* ff ff ff, the numbers of vertices, faces, values at a vertex; the values: all big-endian. */
 static int
-curv(Reader *r, const char *name, Channels *c, int *nv)
+curv(Reader *r, const char *name, FieldFile *f)
 {
 	long long n, i;
 	double *x;
@@ -39,6 +39,7 @@ curv(Reader *r, const char *name, Channels *c, int *nv)
 	if (scan_left(r) < 15)
 		return mesh_fail(r->s->err, MESH_EFORMAT, "file ends in the counts");
 	n = (long long)scan_bytes(r->p + 3, 4, 1);
+	f->nf = (long long)scan_bytes(r->p + 7, 4, 1);
 	if (scan_bytes(r->p + 11, 4, 1) != 1)
 		return mesh_fail(r->s->err, MESH_EFORMAT, "there is not one value at each vertex");
 	r->p += 15;
@@ -49,8 +50,8 @@ curv(Reader *r, const char *name, Channels *c, int *nv)
 		return mesh_fail(r->s->err, MESH_ENOMEM, "no memory for %lld numbers", n);
 	for (i = 0; i < n; i++)
 		x[i] = scan_float(r->p + 4*i, 4, 1);
-	*nv = (int)n;
-	e = add(r, c, name, x, n);
+	f->nv = (int)n;
+	e = add(r, &f->c, name, x, n);
 	free(x);
 	return e;
 }
@@ -58,11 +59,11 @@ curv(Reader *r, const char *name, Channels *c, int *nv)
 /* Where the reader of GIFTI is. */
 typedef struct Fields {
 	Reader     *r;
-	Channels   *c;
+	FieldFile  *to;
 	const char *name;
 	XmlArray    a;
 	long long   dim;
-	int         wanted, count, nv;
+	int         wanted, count;
 	Token       key, label; /* of the last metadatum; the Name of the array */
 } Fields;
 
@@ -112,15 +113,16 @@ take(Fields *f)
 		snprintf(name, sizeof name, "%.*s", (int)(f->label.n < 60 ? f->label.n : 60), f->label.s);
 	else
 		snprintf(name, sizeof name, f->count ? "%.60s_%d" : "%.60s", f->name, f->count);
-	if (f->count && f->dim != f->nv)
-		return mesh_fail(f->r->s->err, MESH_EFORMAT, "array %d has %lld numbers, those before %d", f->count, f->dim, f->nv);
+	if (f->count && f->dim != f->to->nv)
+		return mesh_fail(f->r->s->err, MESH_EFORMAT, "array %d has %lld numbers, those before %d", f->count, f->dim,
+		    f->to->nv);
 	if (!(x = xmlarray_numbers(f->r, &f->a, "values", f->dim, &e)))
 		return e;
 	free(f->a.own);
 	f->a.own = NULL;
-	f->nv = (int)f->dim;
+	f->to->nv = (int)f->dim;
 	f->count++;
-	e = add(f->r, f->c, name, x, f->dim);
+	e = add(f->r, &f->to->c, name, x, f->dim);
 	free(x);
 	return e;
 }
@@ -142,38 +144,39 @@ end(Xml *x, const char *element)
 }
 
 static int
-gifti(Reader *r, const char *name, Channels *c, int *nv)
+gifti(Reader *r, const char *name, FieldFile *to)
 {
-	Fields f = { .r = r, .c = c, .name = name };
+	Fields f = { .r = r, .to = to, .name = name };
 	Xml x = { .r = r, .arg = &f, .start = start, .end = end };
 	int e = xml_read(&x, r->end, 1);
 
 	free(f.a.own);
 	if (!e && !f.count)
 		e = mesh_fail(r->s->err, MESH_EFORMAT, "no array of numbers at vertices");
-	*nv = f.nv;
 	return e;
 }
 
-/* Checks the numbers at the vertices of a PLY file, and moves them to c. */
+/* Checks the numbers at the vertices of a PLY file, and moves them and the vertices to f. */
 static int
-ply(Reader *r, Channels *c, int *nv)
+ply(Reader *r, FieldFile *f)
 {
 	Soup *s = r->s;
 	int e = meshfile_parse_as(s, r->p, scan_left(r), &(MeshParse){ .most = r->most, .what = MESHFILE_FIELDS }), k;
 
 	for (k = 0; !e && k < s->channels.n; k++)
 		if (strcmp(s->channels.channel[k].name, MESH_SOURCE) != 0)
-			e = add(r, c, s->channels.channel[k].name, s->channels.channel[k].f, s->nv);
-	*nv = s->nv;
-	if (!e && c->n == 0)
+			e = add(r, &f->c, s->channels.channel[k].name, s->channels.channel[k].f, s->nv);
+	f->nv = s->nv;
+	f->xyz = s->xyz;
+	s->xyz = NULL;
+	if (!e && f->c.n == 0)
 		e = mesh_fail(s->err, MESH_EFORMAT, "no numbers at the vertices but their places");
 	soup_free(s);
 	return e;
 }
 
 int
-fieldfile_parse(const char *bytes, size_t n, const char *name, const MeshBeside *beside, Channels *c, int *nv,
+fieldfile_parse(const char *bytes, size_t n, const char *name, const MeshBeside *beside, FieldFile *f,
 	char err[MESH_ERRLEN])
 {
 	const size_t most = MESHFILE_MOST;
@@ -182,18 +185,26 @@ fieldfile_parse(const char *bytes, size_t n, const char *name, const MeshBeside 
 		.beside = beside, .most_beside = most };
 	int e;
 
-	*c = (Channels){ 0 };
+	*f = (FieldFile){ .nv = 0 };
 	if (n > 3 && memcmp(bytes, "\xff\xff\xff", 3) == 0)
-		e = curv(&r, name, c, nv);
+		e = curv(&r, name, f);
 	else if (n > 5 && (bytes[0] == '<' || memcmp(bytes, "\xef\xbb\xbf<", 4) == 0))
-		e = gifti(&r, name, c, nv);
+		e = gifti(&r, name, f);
 	else if (n > 3 && memcmp(bytes, "ply", 3) == 0)
-		e = ply(&r, c, nv);
+		e = ply(&r, f);
 	else
 		e = mesh_fail(s.err, MESH_EFORMAT, "neither a FreeSurfer curvature file nor GIFTI or PLY");
 	if (e) {
 		snprintf(err, MESH_ERRLEN, "%s", s.err);
-		channels_free(c);
+		fieldfile_free(f);
 	}
 	return e;
+}
+
+void
+fieldfile_free(FieldFile *f)
+{
+	free(f->xyz);
+	channels_free(&f->c);
+	f->xyz = NULL;
 }
