@@ -109,6 +109,8 @@ for x, y in ("torus", "H"), ("lambda", "lambda"):
 	try 1 'a second channel torus' /dev/null mesh2rect --with="$tmp/torus.curv,$tmp/torus.curv" "$tmp/torus.off"
 	head -c 3000 "$tmp/torus.curv" >"$tmp/cut.curv"
 	try 1 'values' /dev/null mesh2rect --with="$tmp/cut.curv" "$tmp/torus.off"
+	{ cat "$tmp/torus.curv"; printf 'more'; } >"$tmp/more.curv"
+	try 1 '4 bytes follow the last of [0-9]* values' /dev/null mesh2rect --with="$tmp/more.curv" "$tmp/torus.off"
 }
 
 @test "colours of a PLY become channels, also of what mesh2disk made of it, and come back as bytes" {

@@ -45,6 +45,8 @@ curv(Reader *r, const char *name, FieldFile *f)
 	r->p += 15;
 	if ((e = soup_check_count(r, "values", n, scan_left(r)/4)) != 0)
 		return e;
+	if (scan_left(r) > 4*(size_t)n)
+		return mesh_fail(r->s->err, MESH_EFORMAT, "%zu bytes follow the last of %lld values", scan_left(r) - 4*(size_t)n, n);
 	x = malloc((size_t)n*sizeof *x + 1);
 	if (!x)
 		return mesh_fail(r->s->err, MESH_ENOMEM, "no memory for %lld numbers", n);
