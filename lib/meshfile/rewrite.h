@@ -15,8 +15,9 @@
  * xyz       in   [nv][3] the new positions, in the order of the vertices of the file
  * out       out  malloc'd, of *outn bytes; its beginning, "ply" or not, tells which of both it is
  *
- * Returns 0; MESH_ENOMEM; or MESH_EFORMAT, with the reason in err: the file has another number of vertices, is of
- * another format, or has its vertices in records of changing size.  On failure there is nothing to free. */
+ * Returns 0; a code of meshfile_parse; or MESH_EFORMAT, with the reason in err: the file has another number of
+ * vertices, is of another format, has its vertices in records of changing size or, in text, not each on a line of its
+ * own, or a position is too large for it.  On failure there is nothing to free. */
 int rewrite(const char *bytes, size_t n, int nv, const double *xyz, char **out, size_t *outn, char err[MESH_ERRLEN]);
 
 #endif
