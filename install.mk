@@ -7,7 +7,8 @@ LIBDIR    = lib
 
 # ---- manual pages: man1 from --help and man/NAME.mdoc, the others by hand ----
 
-MAN1     := $(CMD:%=$(BUILD)/man/%.1) $(BUILD)/man/lhbatch.1
+INSTALLED := $(CMD) lhbatch
+MAN1     := $(INSTALLED:%=$(BUILD)/man/%.1)
 
 man: $(MAN1)
 
@@ -68,19 +69,19 @@ install: all man liblhg
 	install -m 644 $(MAN1) $(ROOT)/share/man/man1
 	sed 's/^\.Os lhgrid$$/& $(VERSION)/' man/lhg.5 >$(ROOT)/share/man/man5/lhg.5
 	sed 's/^\.Os lhgrid$$/& $(VERSION)/' man/lhgrid.7 >$(ROOT)/share/man/man7/lhgrid.7
-	sed 's/@COMMANDS@/$(CMD)/' completion/lhgrid.bash >$(ROOT)/$(BASHDIR)/lhgrid
-	for c in $(CMD); do ln -sf lhgrid $(ROOT)/$(BASHDIR)/$$c; done
-	sed 's/@COMMANDS@/$(CMD)/' completion/_lhgrid >$(ROOT)/share/zsh/site-functions/_lhgrid
+	sed 's/@COMMANDS@/$(INSTALLED)/' completion/lhgrid.bash >$(ROOT)/$(BASHDIR)/lhgrid
+	for c in $(INSTALLED); do ln -sf lhgrid $(ROOT)/$(BASHDIR)/$$c; done
+	sed 's/@COMMANDS@/$(INSTALLED)/' completion/_lhgrid >$(ROOT)/share/zsh/site-functions/_lhgrid
 
 uninstall:
-	rm -f $(addprefix $(ROOT)/,$(CMD:%=bin/%) bin/lhbatch $(CMD:%=share/man/man1/%.1) share/man/man1/lhbatch.1 $(CMD:%=$(BASHDIR)/%) \
+	rm -f $(addprefix $(ROOT)/,$(INSTALLED:%=bin/%) $(INSTALLED:%=share/man/man1/%.1) $(INSTALLED:%=$(BASHDIR)/%) \
 	    $(BASHDIR)/lhgrid share/zsh/site-functions/_lhgrid share/man/man5/lhg.5 share/man/man7/lhgrid.7 \
 	    include/lhg.h $(addprefix $(LIBDIR)/,liblhg.a liblhg.so $(LHGSO) pkgconfig/lhg.pc))
 	rm -rf $(ROOT)/share/lhgrid $(ROOT)/share/doc/lhgrid
 
 # Uses what is installed, in an empty folder.
 installcheck:
-	scripts/installcheck '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' $(CMD)
+	scripts/installcheck '$(DESTDIR)' '$(PREFIX)' '$(LIBDIR)' $(INSTALLED)
 
 # The last commit as a tarball, which builds without git.  Equal commits give equal tarballs.
 dist:

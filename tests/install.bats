@@ -84,7 +84,7 @@ in_page()   { grep '^\.It Fl' "$tmp/root/opt/lhgrid/share/man/man1/$1.1" | grep 
 
 # completed WORD...: what bash completion offers for the last of the words.
 completed() {
-	bash -c 'shift 0; compopt() { :; }
+	PATH="$tmp/root/opt/lhgrid/bin:$PATH" bash -c 'shift 0; compopt() { :; }
 		. "$0"
 		COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))
 		_lhgrid
@@ -98,14 +98,16 @@ completed() {
 	[ "$(completed lhinfo --j)" = --json ]
 	[ "$(completed lhfft --K)" = '--K-H= --K-lambda=' ]
 	[ "$(completed mkmesh Make)" = Makefile ]
-	for c in $commands; do
+	[ "$(completed lhbatch --s)" = --slurm ]
+	[ "$(completed lhbatch --t)" = --tasks= ]
+	for c in $commands lhbatch; do
 		[ "$(completed $c --vers)" = --version ]
 	done
 }
 
 @test "zsh completion: the function is found, and names every program" {
 	local file=$tmp/root/opt/lhgrid/share/zsh/site-functions/_lhgrid
-	[ "$(head -1 "$file")" = "#compdef $commands" ]
+	[ "$(head -1 "$file")" = "#compdef $commands lhbatch" ]
 	command -v zsh >/dev/null || skip "no zsh"
 	zsh -f -c 'fpath=($1 $fpath); autoload -U compinit; compinit -D; [[ $_comps[lh2png] == _lhgrid ]]' - "${file%/*}"
 }
