@@ -117,6 +117,7 @@ main(int argc, char *argv[])
 	while (cmd_read(&in, &g)) {
 		if (chained)
 			follow_start(&before, &g);
+		o.where = before.own;
 		phi = gridfit(&in, &g, method, chained, &o);
 		cmd_pass(&in, &g);
 		if (chained)

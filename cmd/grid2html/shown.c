@@ -83,7 +83,9 @@ begin(const CmdInput *in, Shown *s, const Lhg *g, const double *const phi[3])
 static void
 same_size(const CmdInput *in, const Shown *s, const Lhg *g)
 {
-	if (g->nu != s->nu || g->nv != s->nv || g->chart != s->chart)
+	if (g->chart != s->chart)
+		die("%s: on a %s, %s is on a %s", in->name, lhg_chartname(g->chart), s->name, lhg_chartname(s->chart));
+	if (g->nu != s->nu || g->nv != s->nv)
 		die("%s: a grid of %d x %d nodes, %s has %d x %d", in->name, g->nu, g->nv, s->name, s->nu, s->nv);
 }
 
@@ -166,7 +168,10 @@ distance_to(Shown *a, const Shown *b)
 void
 shown_distance(Shown *a, Shown *b)
 {
-	if (a->nu != b->nu || a->nv != b->nv || a->chart != b->chart)
+	if (a->chart != b->chart)
+		die("%s is on a %s, %s on a %s: no distance between them", a->name, lhg_chartname(a->chart), b->name,
+		    lhg_chartname(b->chart));
+	if (a->nu != b->nu || a->nv != b->nv)
 		die("%s has %d x %d nodes, %s has %d x %d: no distance between them", a->name, a->nu, a->nv, b->name,
 		    b->nu, b->nv);
 	distance_to(a, b);

@@ -6,14 +6,33 @@
  */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "../shared/chartof.h"
 #include "follow.h"
 
 static const char *const START[3] = { "start.x", "start.y", "start.z" };
 enum { LATTICE = 32 };          /* least number of lattice steps along the shorter side */
 
+/* The start of g, to be freed, if its surface is closed and has one. */
+static double *
+own_start(const Lhg *g)
+{
+	size_t n = (size_t)g->nu*g->nv;
+	double *x;
+	int c;
+
+	for (c = 0; c < 3; c++)
+		if (!chart_of(g).kind->closed || !lhg_find(g, START[c]) || lhg_find(g, START[c])->support != LHG_GRID)
+			return NULL;
+	x = cmd_alloc(3*n, sizeof *x);
+	for (c = 0; c < 3; c++)
+		memcpy(x + c*n, lhg_find(g, START[c])->f, n*sizeof *x);
+	return x;
+}
+
 void
-follow_start(const Before *before, Lhg *g)
+follow_start(Before *before, Lhg *g)
 {
 	int cells = (g->nu < g->nv ? g->nu : g->nv) - 1, step = cells > LATTICE ? cells/LATTICE : 1, c;
 	int support = lhg_count(g, LHG_LATTICE, 1) ? LHG_LATTICE : LHG_GRID;
@@ -26,6 +45,7 @@ follow_start(const Before *before, Lhg *g)
 		like = lhg_find(g, "band.x");
 	if (!like)
 		return;
+	before->own = own_start(g);
 	snprintf(unit, sizeof unit, "%s", like->unit);
 	for (c = 0; c < 3; c++) {
 		lhg_drop(g, START[c]);
@@ -37,13 +57,14 @@ follow_start(const Before *before, Lhg *g)
 void
 follow_keep(Before *before, const Lhg *g, double *phi)
 {
-	free(before->phi);
-	*before = (Before){ g->nu, g->nv, g->chart, phi };
+	follow_end(before);
+	*before = (Before){ g->nu, g->nv, g->chart, phi, NULL };
 }
 
 void
 follow_end(Before *before)
 {
 	free(before->phi);
+	free(before->own);
 	*before = (Before){ 0 };
 }

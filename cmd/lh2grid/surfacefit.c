@@ -123,9 +123,9 @@ copy_start(const CmdInput *in, const Lhg *g, int support)
 	return start;
 }
 
-/* Where the chart has no lattices the start has all nodes.  Reduces it to as many as a lattice has. */
+/* Where the chart has no lattices the start has all nodes.  Returns as many of them as a lattice has. */
 static double *
-thin(const CmdInput *in, double *full, Surface *s)
+thin(const CmdInput *in, const double *full, Surface *s)
 {
 	Chart few = level_thinned(s->g, LATTICE);
 	double *start = cmd_alloc(3*level_nodes(few), sizeof *start);
@@ -136,14 +136,13 @@ thin(const CmdInput *in, double *full, Surface *s)
 	for (c = 0; c < 3; c++)
 		if (resample_cubic(s->g, s->start_end, full + c*level_nodes(s->g), few, start + c*level_nodes(few)))
 			die("%s: no memory for a start of %d x %d nodes", in->name, few.nu, few.nv);
-	free(full);
 	return start;
 }
 
 /* Returns the channels start.x start.y start.z as three fields, to be freed.  Sets start, its chart, and
- * where a lattice ends in the rectangle, in s. */
+ * where a lattice ends in the rectangle, in s.  *full is set to the fields on all nodes, to be freed, or to NULL. */
 static double *
-read_start(const CmdInput *in, const Lhg *g, Surface *s)
+read_start(const CmdInput *in, const Lhg *g, Surface *s, double **full)
 {
 	int lattices = lhg_count(g, LHG_LATTICE, 1) > 0, step;
 	double *start = copy_start(in, g, lattices ? LHG_LATTICE : LHG_GRID);
@@ -153,8 +152,10 @@ read_start(const CmdInput *in, const Lhg *g, Surface *s)
 		s->start_chart = (Chart){ (g->nu - 1)/step + 1, (g->nv - 1)/step + 1, g->T, s->g.kind };
 		s->start_end[0] = (double)((g->nu - 1)/step*step)/(g->nu - 1);
 		s->start_end[1] = (double)((g->nv - 1)/step*step)/(g->nv - 1);
-	} else
-		start = thin(in, start, s);
+	} else {
+		*full = start;
+		start = thin(in, *full, s);
+	}
 	if (s->start_chart.nu < 2 || s->start_chart.nv < 2)
 		die("%s: the start has %d x %d nodes, need at least 2 x 2", in->name, s->start_chart.nu,
 			s->start_chart.nv);
@@ -243,7 +244,7 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 	    .ctx = (void *)in };
 	double began = seconds();
 	char value[LHG_KEYLEN];
-	double *start = has_start(g, o) ? read_start(in, g, &s) : NULL;
+	double *full = NULL, *start = has_start(g, o) ? read_start(in, g, &s, &full) : NULL;
 	MisfitPlace place;
 	double *held = read_place(in, g, o, &place);
 	Residue residue = { .truncation = 1 };
@@ -257,7 +258,8 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 	s.detail = o->detail;
 	s.filtered = lhg_getmeta(g, "waves", value, sizeof value) != NULL;
 	s.free = o->free;
-	s.adrift = s.g.kind->closed ? s.start != NULL : o->free && !surfacefit_rings(g, o);
+	s.adrift = s.g.kind->closed ? s.start && !s.place : o->free && !surfacefit_rings(g, o);
+	s.where = s.g.kind->closed ? o->where ? o->where : full : NULL;
 	if (s.free && (g->nu < 3 || g->nv < 3))
 		die("%s: %d x %d nodes, a free boundary needs at least 3 x 3", in->name, g->nu, g->nv);
 	if (read_residue(in, g, o, &residue)) {
@@ -283,5 +285,6 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 	detail("%s: %.1f vector Poisson solves of %d x %d nodes, %.2f s", in->name, at->cost, g->nu, g->nv,
 	    seconds() - began);
 	free(start);
+	free(full);
 	free(held);
 }

@@ -11,6 +11,8 @@ typedef struct SurfaceFit {
 	double  tolerance;
 	int     steps, no_start, no_place, ideal, free;
 	int     follows;                /* the start channels are of another frame */
+	const double *where;            /* closed surfaces: [3][nv][nu], what places the result in place of
+	                                 * the start, or NULL */
 	double *forecast, *detail;      /* of lib/surface/surface.h, or NULL */
 } SurfaceFit;
 

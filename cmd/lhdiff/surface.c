@@ -34,7 +34,7 @@ from_grid(CmdInput *in, Mesh *m)
 	return 1;
 }
 
-/* Makes d from the faces of a mesh file, which need not form a disk. */
+/* Makes d from the faces of a mesh file, which need not form a disk or a closed surface. */
 static void
 faces(const char *name, const Soup *soup, Disk *d)
 {
@@ -43,7 +43,7 @@ faces(const char *name, const Soup *soup, Disk *d)
 
 	range_positions(name, (size_t)soup->nv, 3, (const double *[]){ soup->xyz, soup->xyz + 1,
 		soup->xyz + 2 });
-	if ((e = disk_from_soup(d, soup)) == MESH_ENOMEM)
+	if ((e = disk_or_closed(d, soup)) == MESH_ENOMEM)
 		die("%s: %s", name, d->err);
 	if (e) {
 		memcpy(fault, d->err, sizeof fault);

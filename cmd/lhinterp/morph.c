@@ -5,7 +5,9 @@
 
 #include "../../lib/morph/blend.h"
 #include "../shared/borderread.h"
+#include "../shared/chartof.h"
 #include "../shared/place.h"
+#include "closed.h"
 #include "landfile.h"
 #include "merge.h"
 #include "morph.h"
@@ -69,6 +71,8 @@ void
 morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks, int scaled,
 	int aligned)
 {
+	int closed;
+
 	memset(m, 0, sizeof *m);
 	cmd_open(&m->A, pathA);
 	cmd_read_one(&m->A, &m->a);
@@ -84,10 +88,15 @@ morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks
 	cmd_need(&m->A, &m->a, "lambda", LHG_GRID);
 	cmd_need(&m->A, &m->a, "H", LHG_GRID);
 	check_channels(m);
-	m->has_border = landmarks || aligned || lhg_find(&m->a, "band.x");
+	closed = chart_of(&m->a).kind->closed;
+	if (closed && landmarks)
+		die("%s: a %s has no boundary for --landmarks", m->A.name, lhg_chartname(m->a.chart));
+	m->has_border = !closed && (landmarks || aligned || lhg_find(&m->a, "band.x"));
 	if (m->has_border)
 		match(m, landmarks);
 	size_match(m, scaled);
+	if (closed)
+		closed_fit(m, aligned);
 	if (!m->has_border)
 		return;
 	if (!landmarks && m->a.chart == LHG_RECTANGLE)

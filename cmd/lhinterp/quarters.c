@@ -4,16 +4,9 @@
 
 #include "../../lib/base/procrustes.h"
 #include "quarters.h"
+#include "turns.h"
 
 enum { SIDE = 128 };                    /* points on each side */
-
-/* Distances are root mean squares between the borders after the best rigid motion, in units of
- * their size. */
-static const double CLEAR = 1.5;        /* another fit is clearly better than the present one if its
-                                         * distance is smaller by this factor, */
-static const double FAR = 0.1;          /* and the present distance is larger than this; */
-static const double TURN = M_PI/3;      /* or if it rotates B less, by more than this angle */
-static const double NEAR = 1.25;        /* distances within this factor count as equal */
 
 /* Sets x to SIDE points of each side, evenly spaced in place (border.h), from the beginning of side
  * `first` on.  Then moves them to mean 0 and scales them to root mean square 1. */
@@ -31,23 +24,6 @@ sample(const Border *b, int first, double *x)
 		sum = hypot(sum, x[i] -= mean[i%3]);
 	for (i = 0; i < 12*SIDE; i++)
 		x[i] *= sqrt(4*SIDE)/sum;
-}
-
-/* The number k of quarter turns of the corners that fits best; among equally good ones, the one
- * that rotates B least in space.  If B is not aligned, k that need a much larger rotation than
- * k = 0 are excluded. */
-static int
-best_turn(const double rms[4], const double angle[4], int aligned)
-{
-	int k, best = 0, chosen;
-
-	for (k = 1; k < 4; k++)
-		if (rms[k] < rms[best] && (aligned || angle[k] <= angle[0] + TURN))
-			best = k;
-	for (chosen = best, k = 0; k < 4; k++)
-		if (rms[k] <= NEAR*rms[best] && angle[k] < angle[chosen])
-			chosen = k;
-	return chosen;
 }
 
 void
@@ -69,8 +45,8 @@ quarters_check(const CmdInput *A, const Border *a, const CmdInput *B, const Bord
 	free(x);
 	if (k < 4)
 		return;
-	best = best_turn(rms, angle, aligned);
-	if ((rms[0] > FAR && rms[0] > CLEAR*rms[best]) || angle[0] > angle[best] + TURN)
+	best = turns_better(rms, angle, aligned);
+	if (best)
 		note("%s fits %s better with corners %d,%d,%d,%d (mesh2rect --like): the boundaries are "
 		    "then %.2g of their size apart after a rotation by %.0f degrees, now %.2g after %.0f", B->name, A->name,
 		    best%4 + 1, (best + 1)%4 + 1, (best + 2)%4 + 1, (best + 3)%4 + 1, rms[best], angle[best]*180/M_PI,

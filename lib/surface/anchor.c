@@ -18,21 +18,25 @@ gather(size_t count, const size_t *node, size_t n, const double *phi, double *x)
 }
 
 int
-anchor_init(Anchor *a, Chart g, int border, const double *phi)
+anchor_init(Anchor *a, Chart g, int border, const double *weight, const double *phi)
 {
 	size_t n = (size_t)g.nu*g.nv, p;
 	size_t most = border ? 2*((size_t)g.nu + g.nv) : n;
 
-	*a = (Anchor){ .node = malloc(most*sizeof *a->node), .at = malloc(3*most*sizeof *a->at) };
-	if (!a->node || !a->at) {
+	*a = (Anchor){ .node = malloc(most*sizeof *a->node), .at = malloc(3*most*sizeof *a->at),
+	    .weight = weight ? malloc(most*sizeof *a->weight) : NULL };
+	if (!a->node || !a->at || (weight && !a->weight)) {
 		anchor_free(a);
 		return ANCHOR_ENOMEM;
 	}
 	for (p = 0; p < n; p++) {
 		int i = (int)(p%g.nu), j = (int)(p/g.nu);
 
-		if (!border || !stencil_is_inner(g, i, j))
-			a->node[a->n++] = p;
+		if (border && stencil_is_inner(g, i, j))
+			continue;
+		if (weight)
+			a->weight[a->n] = weight[p];
+		a->node[a->n++] = p;
 	}
 	gather(a->n, a->node, n, phi, a->at);
 	return 0;
@@ -43,6 +47,7 @@ anchor_free(Anchor *a)
 {
 	free(a->node);
 	free(a->at);
+	free(a->weight);
 	memset(a, 0, sizeof *a);
 }
 
@@ -57,7 +62,7 @@ anchor_place(const Anchor *a, Chart g, double *phi)
 	if (!x)
 		return ANCHOR_ENOMEM;
 	gather(a->n, a->node, n, phi, x);
-	e = procrustes((int)a->n, NULL, a->at, x, &r, &rms);
+	e = procrustes((int)a->n, a->weight, a->at, x, &r, &rms);
 	free(x);
 	for (p = 0; !e && p < n; p++) {
 		double y[3] = { phi[p], phi[n+p], phi[2*n+p] };

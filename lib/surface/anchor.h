@@ -14,15 +14,16 @@ enum {
 typedef struct Anchor {
 	size_t  n, *node;
 	double *at;             /* [n][3] the stored positions of these nodes */
+	double *weight;         /* [n], or NULL: all equal */
 } Anchor;
 
-/* Stores the positions of the border nodes of phi[3][nv][nu], or of all nodes if border is 0.
- * Returns 0 or ANCHOR_ENOMEM; a then holds nothing to free. */
-int  anchor_init(Anchor *a, Chart g, int border, const double *phi);
+/* Stores the positions of the border nodes of phi[3][nv][nu], or of all nodes if border is 0, and their
+ * weights, [nv][nu] or NULL.  Returns 0 or ANCHOR_ENOMEM; a then holds nothing to free. */
+int  anchor_init(Anchor *a, Chart g, int border, const double *weight, const double *phi);
 void anchor_free(Anchor *a);
 
 /* Moves phi rigidly so that its nodes a->node come as near as possible to the stored positions, in
- * the least squares sense (procrustes.h).  Returns 0, ANCHOR_ENOMEM or ANCHOR_EVALUE. */
+ * the sense of weighted least squares (procrustes.h).  Returns 0, ANCHOR_ENOMEM or ANCHOR_EVALUE. */
 int anchor_place(const Anchor *a, Chart g, double *phi);
 
 #endif

@@ -168,17 +168,23 @@ unit_of(size_t n, const double *lambda)
 
 /* Chooses the nodes that fix the rigid position of the result. */
 static int
-choose_anchor(const Surface *s, double unit, const double *phi, Anchor *a)
+choose_anchor(const Surface *s, double unit, const Level *finest, Anchor *a)
 {
+	size_t n = 3*level_nodes(s->g);
 	double *t;
-	int e;
+	int e = 0;
 
 	if (!s->adrift)
-		return anchor_init(a, s->g, 1, phi);
-	t = malloc(3*level_nodes(s->g)*sizeof *t);
-	e = t ? level_interpolate(s->start_chart, s->start_end, s->start, 1/unit, s->g, 0, t) : SURFACE_ENOMEM;
+		return anchor_init(a, s->g, 1, NULL, finest->phi);
+	t = malloc(n*sizeof *t);
+	if (!t)
+		return SURFACE_ENOMEM;
+	if (s->where)
+		field_scale(n, 1/unit, s->where, t);
+	else
+		e = level_interpolate(s->start_chart, s->start_end, s->start, 1/unit, s->g, 0, t);
 	if (!e)
-		e = anchor_init(a, s->g, 0, t);
+		e = anchor_init(a, s->g, 0, s->g.kind->closed ? finest->lambda2 : NULL, t);
 	free(t);
 	return e;
 }
@@ -192,12 +198,12 @@ descend_free(const Surface *s, double unit, const Level *finest, const FitOption
 	int r = 0, e = 0;
 
 	if (!s->adrift && !s->g.kind->closed)
-		e = choose_anchor(s, unit, finest->phi, &a);
+		e = choose_anchor(s, unit, finest, &a);
 	clear_inside(s->g, s->start ? 0 : start_rings(s->g.kind), finest->phi);
 	if (!e)
 		r = descend(s, unit, finest, o, finest->phi, at);
 	if (!e && r > 0 && s->adrift)
-		e = choose_anchor(s, unit, NULL, &a);
+		e = choose_anchor(s, unit, finest, &a);
 	if (!e && r > 0 && a.n)
 		e = anchor_place(&a, s->g, finest->phi);
 	anchor_free(&a);

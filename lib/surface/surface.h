@@ -37,6 +37,7 @@ typedef struct Surface {
 	int            filtered;        /* lambda and H are of no surface (misfit_set_firm) */
 	int            free;            /* the boundary is not held */
 	int            adrift;          /* free or closed: the border of phi is not given, but a start is */
+	const double  *where;           /* adrift: [3][nv][nu], what places the result; NULL: the start */
 	const double  *forecast;        /* [3][nv][nu], or NULL: a guess of the detail, added to the
 	                                 * start of the finest grid */
 	double        *detail;          /* out, or NULL: [3][nv][nu] the result minus the interpolated
@@ -45,8 +46,9 @@ typedef struct Surface {
 
 /* phi     in/out  [3][nv][nu]: the border is given, the rest computed.  Where the boundary is
  *                 free, all is computed, then moved rigidly so that its border comes nearest
- *                 to the given one; adrift, so that its nodes come nearest to the start.  On a closed
- *                 chart all is computed; not adrift, it lies where its start (start.h) was
+ *                 to the given one; adrift, so that its nodes come nearest to the start or to
+ *                 `where`.  On a closed chart all is computed; adrift, it is moved so, by least
+ *                 squares over the area; if not, it stays where its start (start.h) or its place was
  * o       in      tolerance and most hold for the finest grid; coarser ones stop at 1e-4 or
  *                 after 12 steps
  * at      out     progress at the last step
