@@ -71,7 +71,7 @@ sampled(const Sheet *s, int surface, const Channel *c, double *out[])
 	for (k = 0; k < c->n; k++)
 		assert_non_null(out[k] = malloc(s->g.nu*s->g.nv*sizeof **out));
 	assert_int_equal(sampler_init(&sampler, &s->d, s->u, s->v, s->g.T, surface), 0);
-	assert_int_equal(sampler_channel(&sampler, c, s->g, s->x, s->y, out), 0);
+	assert_int_equal(sampler_channel(&sampler, c, s->g.nu*s->g.nv, s->x, s->y, out), 0);
 	sampler_free(&sampler);
 }
 
@@ -97,7 +97,7 @@ linear_in_position(void **state)
 		for (k = 0; k < 3; k++)
 			assert_non_null(phi[k] = malloc(n*sizeof *phi[k]));
 		assert_int_equal(sampler_init(&sampler, &s.d, s.u, s.v, s.g.T, surface), 0);
-		assert_int_equal(sampler_grid(&sampler, s.g, s.x, s.y, phi), 0);
+		assert_int_equal(sampler_points(&sampler, s.g.nu*s.g.nv, s.x, s.y, phi), 0);
 		sampler_free(&sampler);
 		for (i = 0; i < n; i++) {
 			assert_true(fabs(out[0][i] - (4 + phi[0][i] - 2*phi[1][i] + 0.5*phi[2][i])) < 1e-12);

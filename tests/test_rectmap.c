@@ -166,7 +166,7 @@ grid_of(const Mapped *m, Chart g, int surface, double *phi[3])
 	for (p = 0; p < n; p++)
 		x[p] = p%g.nu*chart_h(g), y[p] = p/g.nu*chart_k(g);
 	assert_int_equal(sampler_init(&s, &m->d, m->u, m->v, m->T, surface), 0);
-	assert_int_equal(sampler_grid(&s, g, x, y, phi), 0);
+	assert_int_equal(sampler_points(&s, g.nu*g.nv, x, y, phi), 0);
 	sampler_free(&s);
 	return block;
 }

@@ -98,7 +98,6 @@ typedef struct Sampled {
 static void
 sample(const Disk *d, const double *u, const double *v, const Fine *fine, Sampled *s)
 {
-	Chart g = { SIDE, SIDE, 1, &CHART_RECTANGLE };
 	double f[C+1], *phi[3] = { s->phi[0], s->phi[1], s->phi[2] }, *out[1] = { s->channel };
 	Channel c = { "f", 1, f };
 	Sampler sampler;
@@ -108,9 +107,9 @@ sample(const Disk *d, const double *u, const double *v, const Fine *fine, Sample
 		f[i] = exp(d->m.xyz[3*i])*cos(2*d->m.xyz[3*i+1]);
 	assert_int_equal(sampler_init(&sampler, d, u, v, 1, SAMPLER_SMOOTH), 0);
 	if (fine)
-		assert_int_equal(sampler_overlay(&sampler, &fine->s, fine->u, fine->v), 0);
-	assert_int_equal(sampler_grid(&sampler, g, s->x, s->y, phi), 0);
-	assert_int_equal(sampler_channel(&sampler, &c, g, s->x, s->y, out), 0);
+		assert_int_equal(sampler_overlay(&sampler, &fine->s, fine->u, fine->v, NULL), 0);
+	assert_int_equal(sampler_points(&sampler, SIDE*SIDE, s->x, s->y, phi), 0);
+	assert_int_equal(sampler_channel(&sampler, &c, SIDE*SIDE, s->x, s->y, out), 0);
 	sampler_free(&sampler);
 }
 

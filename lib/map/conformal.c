@@ -127,7 +127,7 @@ sample(const Disk *d, const int corner[4], const Solved *m, Chart g, const Confo
 	if (sampler_init(&s, smooth ? d : &m->mesh->d, m->u, m->v, m->T, options->surface))
 		return SPD_ENOMEM;
 	e = choosechart(d, corner, &(Rectangle){ m->T, m->u, m->v }, options, &g.kind, &at.map, c);
-	if (!e && smooth && c->overlaid && sampler_overlay(&s, m->mesh, m->u, m->v))
+	if (!e && smooth && c->overlaid && sampler_overlay(&s, m->mesh, m->u, m->v, NULL))
 		e = SPD_ENOMEM;
 	if (!e)
 		e = sample_map(&at, corner, g, c);

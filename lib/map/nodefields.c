@@ -18,7 +18,7 @@ sample_field(const Sampler *s, const Subdivision *mesh, const Disk *d, const dou
 	channel.f = all ? all : (double *)f;
 	*to = malloc(nodes*sizeof **to);
 	if (*to && (all || s->l.m->nv == d->m.nv))
-		e = sampler_channel(s, &channel, g, x, y, to) ? SPD_ENOMEM : 0;
+		e = sampler_channel(s, &channel, g.nu*g.nv, x, y, to) ? SPD_ENOMEM : 0;
 	free(all);
 	return e;
 }

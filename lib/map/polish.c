@@ -55,7 +55,7 @@ sample(const Sampler *s, Grid *a)
 		#pragma omp parallel for schedule(static)
 		for (p = 0; p < n; p++)
 			chartmap_point(&a->map, a->x[p], a->y[p], &x[p], &y[p]);
-		e = sampler_grid(s, a->g, x, y, a->phi) ? POLISH_ENOMEM : 0;
+		e = sampler_points(s, n, x, y, a->phi) ? POLISH_ENOMEM : 0;
 	}
 	free(x);
 	return e;

@@ -45,15 +45,15 @@ sampler_free(Sampler *s)
 	s->state = NULL;
 }
 
-/* Sets smooth to 0 at the vertices of triangles that are turned over or flat in (u,v), to 1 at the
+/* Sets smooth to 0 at rough vertices and those of triangles that are turned over or flat in (u,v), to 1 at the
  * others. */
 static void
-mark_unturned(const Locator *l, double *smooth)
+mark_unturned(const Locator *l, const unsigned char *rough, double *smooth)
 {
 	int i, t, k;
 
 	for (i = 0; i < l->m->nv; i++)
-		smooth[i] = 1;
+		smooth[i] = !(rough && rough[i]);
 	for (t = 0; t < l->m->nf; t++)
 		if (locate_is_flat(l, t))
 			for (k = 0; k < 3; k++)
@@ -61,7 +61,7 @@ mark_unturned(const Locator *l, double *smooth)
 }
 
 int
-sampler_overlay(Sampler *s, const Subdivision *o, const double *u, const double *v)
+sampler_overlay(Sampler *s, const Subdivision *o, const double *u, const double *v, const unsigned char *rough)
 {
 	double *smooth = malloc(s->l.m->nv*sizeof *smooth);
 
@@ -72,7 +72,7 @@ sampler_overlay(Sampler *s, const Subdivision *o, const double *u, const double 
 		free(smooth);
 		return SAMPLER_ENOMEM;
 	}
-	mark_unturned(&s->l, smooth);
+	mark_unturned(&s->l, rough, smooth);
 	subdivision_extend(o, 1, smooth, s->smooth);
 	free(smooth);
 	s->overlay = o;
@@ -220,13 +220,13 @@ sample_places(const Sampler *s, const Surfaces *on, int n, const Place *place, i
 }
 
 int
-sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double *const phi[3])
+sampler_points(const Sampler *s, int n, const double *x, const double *y, double *const phi[3])
 {
-	Place *place = find_places(s, g.nu*g.nv, x, y);
+	Place *place = find_places(s, n, x, y);
 
 	if (!place)
 		return SAMPLER_ENOMEM;
-	sample_places(s, &(Surfaces){ s->l.m, s->under.m, s->state, s->jet }, g.nu*g.nv, place, 3, phi);
+	sample_places(s, &(Surfaces){ s->l.m, s->under.m, s->state, s->jet }, n, place, 3, phi);
 	free(place);
 	return 0;
 }
@@ -250,10 +250,10 @@ graph(const Sampler *s, const double *f, int stride, double *xyz)
 }
 
 int
-sampler_channel(const Sampler *s, const Channel *c, Chart g, const double *x, const double *y,
+sampler_channel(const Sampler *s, const Channel *c, int n, const double *x, const double *y,
 	double *const out[])
 {
-	Place *place = find_places(s, g.nu*g.nv, x, y);
+	Place *place = find_places(s, n, x, y);
 	size_t nv = s->l.m->nv, nu = s->overlay ? (size_t)s->overlay->d.m.nv : nv;
 	unsigned char *state = malloc(nv);
 	Jet *jet = malloc(nv*sizeof *jet);
@@ -268,7 +268,7 @@ sampler_channel(const Sampler *s, const Channel *c, Chart g, const double *x, co
 			graph(s, c->f + k, c->n, m.xyz);
 			if (s->overlay)
 				subdivision_extend(s->overlay, 3, m.xyz, under.xyz);
-			sample_places(s, &(Surfaces){ &m, &under, state, jet }, g.nu*g.nv, place, 1, &out[k]);
+			sample_places(s, &(Surfaces){ &m, &under, state, jet }, n, place, 1, &out[k]);
 		}
 		e = 0;
 	}

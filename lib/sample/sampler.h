@@ -2,7 +2,6 @@
 #ifndef SAMPLER_H
 #define SAMPLER_H
 
-#include "../base/chart.h"
 #include "../mesh/subdivision.h"
 #include "clough.h"
 #include "locate.h"
@@ -41,24 +40,25 @@ void sampler_free(Sampler *s);
  * which no triangle is turned over.  The transition is gradual: see Sampler.smooth.
  *
  * o, u, v   in   the subdivision of the disk of sampler_init, and its map; they must outlive s
+ * rough     in   NULL, or 1 for other vertices near which the facets are sampled, [nv of the disk]
  *
  * Returns 0 or SAMPLER_ENOMEM; s is to be freed in both cases. */
-int  sampler_overlay(Sampler *s, const Subdivision *o, const double *u, const double *v);
+int  sampler_overlay(Sampler *s, const Subdivision *o, const double *u, const double *v, const unsigned char *rough);
 
-/* Sets phi (11) at every node of g (24).  (x,y) are the coordinates of each node (23) in the chart
- * of the mesh.  All arrays are [nv][nu].  The jets needed are computed and kept in s, so this must
+/* Sets phi (11) at n points, such as the nodes (23) of a grid (24).  (x,y) are their coordinates in the chart
+ * of the mesh.  All arrays are [n].  The jets needed are computed and kept in s, so this must
  * not be called by several threads at once.  Returns 0 or SAMPLER_ENOMEM. */
-int  sampler_grid(const Sampler *s, Chart g, const double *x, const double *y, double *const phi[3]);
+int  sampler_points(const Sampler *s, int n, const double *x, const double *y, double *const phi[3]);
 
-/* Samples a channel of the mesh at the nodes of g as sampler_grid samples positions: linear, or C1
+/* Samples a channel of the mesh at n points as sampler_points samples positions: linear, or C1
  * and cubic.  Each component f is sampled as the surface (f, a u, a v), where a is the range of f,
  * so that the limits of gradient.h and clough.h prevent overshoots at a jump.
  *
  * c        in   at the vertices of the disk of sampler_init
- * out      out  [c->n], each [nv][nu]: component k of the channel in out[k]
+ * out      out  [c->n], each [n]: component k of the channel in out[k]
  *
  * Returns 0 or SAMPLER_ENOMEM. */
-int  sampler_channel(const Sampler *s, const Channel *c, Chart g, const double *x, const double *y,
+int  sampler_channel(const Sampler *s, const Channel *c, int n, const double *x, const double *y,
 	double *const out[]);
 
 #endif
