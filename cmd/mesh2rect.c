@@ -1,4 +1,4 @@
-/* mesh2rect - map a mesh conformally onto a rectangle and sample it on a grid */
+/* mesh2rect - map a mesh conformally onto a rectangle, a sock or a pillow and sample it on a grid */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,6 +11,7 @@
 #include "shared/cmd.h"
 #include "shared/formats.h"
 #include "shared/load.h"
+#include "mesh2rect/chartopt.h"
 #include "mesh2rect/coneopt.h"
 #include "mesh2rect/corneropt.h"
 #include "mesh2rect/likeopt.h"
@@ -71,16 +72,14 @@ CMD_USAGE
 "size; a mesh of more than a quarter of --max-vertices is not split, and the order is one.\n"
 "Example: mesh2rect --uv=face-uv.ply face.ply | grid2lh -o face.lhg\n";
 
-enum { FLIP = 256, CHART, CONES, WITH, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, LIKE, REVERSED, MAX_CELLS,
+enum { FLIP = 256, CHART, CONES, FORCE, WITH, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, LIKE, REVERSED, MAX_CELLS,
 	UV = CMD_UNRECORDED, MAX_LOSS };
-
-enum { AUTO = 2 };                      /* of --chart, after the charts of lhg.h */
-static const double KEEP = 0.99;        /* fraction of the area, for -n auto */
 
 static const struct option longopt[] = {
 	{ "cells",        required_argument, NULL, 'n' },
 	{ "chart",        required_argument, NULL, CHART },
 	{ "cones",        required_argument, NULL, CONES },
+	{ "force",        no_argument,       NULL, FORCE },
 	{ "corners",      required_argument, NULL, 'c' },
 	{ "like",         required_argument, NULL, LIKE },
 	{ "like-reversed", no_argument,      NULL, REVERSED },
@@ -96,27 +95,6 @@ static const struct option longopt[] = {
 	{ "with",         required_argument, NULL, WITH },
 	CMD_LONGOPT
 };
-
-/* Reads "auto", "N" or "NxM".  Sets the numbers of nodes of g, one more than those of cells; or, for
- * "auto", o->keep, the fraction of the area to be kept, which is 0 otherwise. */
-static void
-opt_cells(char *s, Chart *g, ConformalOptions *o)
-{
-	char *x = strchr(s, 'x'), *first;
-
-	o->keep = strcmp(s, "auto") == 0 ? KEEP : 0;
-	o->shape = !x;
-	if (o->keep > 0)
-		return;
-	first = strdup(s);
-	if (!first)
-		die("no memory");
-	if (x)
-		first[x - s] = '\0';
-	g->nu = 1 + opt_long(first, 4, LHG_MAXN - 1, "cells");
-	g->nv = x ? 1 + opt_long(x + 1, 4, LHG_MAXN - 1, "cells") : g->nu;
-	free(first);
-}
 
 /* Memory in bytes, a little more than was measured: for each vertex of the map, and the part of it
  * that is kept while the grid is made; for each crossing of the overlay; for each node of the grid,
@@ -145,7 +123,7 @@ claim_map(const char *name, const Disk *d, Chart g, const ConformalOptions *o)
 static void
 add_corner(const char *name, Disk *d)
 {
-	if (d->nb > 3)
+	if (d->nb > 3 || d->nb == 0)
 		return;
 	if (boundary_split(d))
 		die("no memory");
@@ -156,6 +134,8 @@ add_corner(const char *name, Disk *d)
 static double
 choose_corners(const char *corners, const char *like, int reversed, Disk *d, int corner[4])
 {
+	if (d->nb == 0)
+		return -1;
 	if (like)
 		return opt_like(like, reversed, d, corner);
 	opt_corners(corners, d, corner);
@@ -180,10 +160,14 @@ map_disk(const Disk *d, const int corner[4], Chart g, const ConformalOptions *op
 	SpdReport report = { 0, 0 };
 
 	cmd_progress("mapping %d vertices", d->m.nv);
-	switch (conformal_grid(d, corner, g, options, c, &report)) {
+	switch (d->nb ? conformal_grid(d, corner, g, options, c, &report) : conformal_closed(d, g, options, c, &report)) {
 	case 0: break;
 	case SPD_ENOMEM: die("no memory: the factor of %d vertices needs %.0f bytes", d->m.nv, report.bytes);
+	case CONFORMAL_ECOARSE:
+		die("triangles of the mesh are too large on the sphere: a larger --split, or a smaller --tolerance");
 	case CONFORMAL_ECONES:
+		if (d->nb == 0)
+			die("the three cones cannot be told apart on the sphere: other --cones");
 		if (options->cone[0] < 0)
 			die("no two inner vertices (of %d) can be told apart in the chart, so no cones: --chart=rectangle",
 			    d->m.nv - d->nb);
@@ -209,39 +193,6 @@ begin_output(Lhg *out, const Grid *grid)
 		    (size_t)grid->g.nu*grid->g.nv*sizeof(double));
 }
 
-/* The grid on the chart of --chart. */
-static Chart
-on_chart(int kind, const char *cones, const char *like, Chart g, ConformalOptions *o)
-{
-	g.kind = kind == LHG_SOCK ? &CHART_SOCK : &CHART_RECTANGLE;
-	o->choose = kind == AUTO;
-	if (cones && kind != LHG_SOCK)
-		misuse("--cones needs --chart=sock");
-	if (like && kind == LHG_SOCK) {
-		likesock_size(like, &g);
-		o->keep = o->shape = 0;
-		return g;
-	}
-	if (o->choose && !(o->shape || o->keep > 0))
-		misuse("--chart=auto chooses the shape of the grid: --cells=N or auto");
-	if (kind != LHG_SOCK || o->shape || o->keep > 0)
-		return g;
-	g.nu--, g.nv--;                 /* a row of nodes round the sock has as many nodes as cells */
-	if (g.nu%2 || g.nu < 8 || g.nv < 6)
-		misuse("--cells=%dx%d: a sock needs an even number of cells round it, at least 8, and at least 6 along",
-		    g.nu, g.nv);
-	return g;
-}
-
-static void
-check_like(int kind, const char *corners, const char *like, int reversed)
-{
-	if (like && corners)
-		misuse("--corners and --like exclude each other");
-	if (reversed && (!like || kind == LHG_SOCK))
-		misuse("--like-reversed needs --like, and a rectangle");
-}
-
 /* Frees all of s but the facts. */
 static void
 keep_facts(Soup *s)
@@ -256,11 +207,12 @@ keep_facts(Soup *s)
 int
 main(int argc, char *argv[])
 {
-	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0, 1024, 0, NULL, { -1, -1 }, 0, 1 };
+	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0, 1024, 0, NULL, { -1, -1, -1 }, 0, 1 };
 	const char *corners = NULL, *cones = NULL, *like = NULL, *uv = NULL, *with = NULL;
 	Chart g = { 257, 257, 1, &CHART_RECTANGLE };
-	int opt, corner[4], kind = LHG_RECTANGLE, flip = 0, reversed = 0, noted;
+	int opt, corner[4], kind = CHARTOPT_UNSET, flip = 0, reversed = 0, force = 0, noted;
 	double apart, most_lost = 0.5;
+	ChartOptions given;
 	Conformal c;
 	Soup s;
 	Disk d;
@@ -271,8 +223,9 @@ main(int argc, char *argv[])
 	while ((opt = cmd_getopt(argc, argv, "n:c:", longopt)) != -1)
 		switch (opt) {
 		case 'n': opt_cells(optarg, &g, &options); break;
-		case CHART: kind = opt_word(optarg, "rectangle\0sock\0auto\0", "chart"); break;
+		case CHART: kind = opt_word(optarg, "rectangle\0sock\0pillow\0auto\0", "chart"); break;
 		case CONES: cones = optarg; break;
+		case FORCE: force = 1; break;
 		case 'c': corners = optarg; break;
 		case LIKE: like = optarg; break;
 		case REVERSED: reversed = 1; break;
@@ -288,36 +241,38 @@ main(int argc, char *argv[])
 		case WITH: with = optarg; break;
 		}
 	cmd_operands(argc, argv, 0, 1);
-	check_like(kind, corners, like, reversed);
-	g = on_chart(kind, cones, like, g, &options);
+	given = (ChartOptions){ kind, corners, cones, like, reversed };
+	g = chartopt_before(&given, g, &options);
 	if (uv)
 		opt_uv(uv, argv[optind]);
 	cmd_binary_output();
 	load_soup(argv[optind], MESHFILE_LOOSE, &s);
 	if (with)
 		with_read(with, &s);
-	load_disk(cmd_name_of(argv[optind]), &s, &d);
+	load_disk_or_closed(cmd_name_of(argv[optind]), &s, &d);
+	g = chartopt_of(cmd_name_of(argv[optind]), &d, &given, g, &options);
 	if (!uv)
 		keep_facts(&s);
 	if (flip)
 		disk_flip(&d);
 	add_corner(cmd_name_of(argv[optind]), &d);
-	apart = choose_corners(corners, kind == LHG_SOCK ? NULL : like, reversed, &d, corner);
+	apart = choose_corners(corners, g.kind == &CHART_SOCK ? NULL : like, reversed, &d, corner);
 	opt_cones(cones, &d, options.cone);
 	claim_map(cmd_name_of(argv[optind]), &d, g, &options);
 	if (with)
 		with_fields(&d, &options);
 	map_disk(&d, corner, g, &options, &c);
-	if (like && kind == LHG_SOCK)
+	if (like && g.kind == &CHART_SOCK)
 		apart = likesock_turn(like, d.m.nv, &c);
 
 	begin_output(&out, &c.grid);
 	if (with)
 		with_write(&d, &c, &out);
-	quality_meta(&out, &d, corner, apart, &c);
-	if (out.chart == LHG_SOCK)
+	quality_meta(&out, &d, d.nb ? corner : NULL, apart, &c);
+	if (c.grid.g.kind->cones)
 		cones_meta(&out, &d, &c);
 	quality_facts(&out, s.facts);
+	cones_chi2(cmd_name_of(argv[optind]), force, &d, &c);
 	noted = loss_report(&out, cmd_name_of(argv[optind]), most_lost, &d, &c);
 	cones_note(cmd_name_of(argv[optind]), &c, noted);
 	quality_notes(cmd_name_of(argv[optind]), uv, &d, &options, &c);

@@ -53,7 +53,9 @@ head_of() { sed -n '1,/^end_header/p' "$1" | tr -d '\0'; }
 	try 1 '2 components, a disk is one; mesh2disk keeps the largest, 75 % of the area' "$tmp/two.off" mesh2rect
 	try 0 '1 of 2 components kept; the others have 25 % of the area' "$tmp/two.off" mesh2disk
 	printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >"$tmp/tetra.off"
-	try 1 'closed surface: no boundary; mesh2disk --open=auto cuts it open' "$tmp/tetra.off" mesh2rect
+	try 1 'closed surface: no boundary.*; mesh2disk --open=auto cuts it open' "$tmp/tetra.off" mesh2rect --chart=sock
+	try 1 'has a boundary, .*: --chart=sock or rectangle, or mesh2disk --holes=all closes it' "$tmp/face.off" \
+		mesh2rect --chart=pillow
 	try 0 'the surface is closed and stays so; --open=auto' "$tmp/tetra.off" mesh2disk
 }
 

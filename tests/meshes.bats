@@ -8,12 +8,12 @@ setup() {
 
 @test "bad meshes are refused with the true reason" {
 	b=$meshes/bad
-	try 1 'closed surface: no boundary'              /dev/null mesh2rect "$b/closed_bunny.off"
+	try 1 'closed surface: no boundary'              /dev/null mesh2rect --chart=sock "$b/closed_bunny.off"
 	try 1 'vertex 976 is pinched'                    /dev/null mesh2rect "$b/pinched_vertex_face.off"
 	try 1 'edge [0-9]+-[0-9]+ belongs to 3 faces'    /dev/null mesh2rect "$b/nonmanifold_edges.obj"
 	try 1 '2 boundary loops'                         /dev/null mesh2rect "$b/two_loops_face.obj"
 	try 1 '6 components'                             /dev/null mesh2rect "$b/components_face_scan.obj"
-	try 1 'closed surface: no boundary'              /dev/null mesh2rect -q "$b/binary_bird_skull.stl"
+	try 1 'closed surface: no boundary'              /dev/null mesh2rect -q --chart=rectangle "$b/binary_bird_skull.stl"
 	try 1 'vertex 100 .*not finite'                  /dev/null mesh2rect "$b/nan_coordinates.off"
 	try 1 'ends in face [0-9]+ of 3132'              /dev/null mesh2rect "$b/truncated.ply"
 	try 1 'genus 2'                                  /dev/null mesh2rect "$b/genus2_one_loop.off"

@@ -1,10 +1,13 @@
-/* coneopt.c - the cones of a sock. */
+/* coneopt.c - the cones of a sock or a pillow. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "../shared/cmd.h"
 #include "coneopt.h"
 #include "vertexlist.h"
+
+static const double NOTED = 10, REFUSED = 100;  /* chi^2 of a pillow */
 
 static int
 nearest(const Disk *d, const double x[3])
@@ -23,32 +26,75 @@ nearest(const Disk *d, const double x[3])
 	return best;
 }
 
-void
-opt_cones(const char *arg, const Disk *d, int cone[2])
+/* Dies if vertex i is on the boundary, or one of the n cones before. */
+static void
+check_cone(const Disk *d, int i, int n, const int *cone)
 {
-	VertexList g;
-	int k, i;
+	int k;
 
-	cone[0] = cone[1] = -1;
+	for (k = 0; k < d->nb; k++)
+		if (d->loop[k] == i)
+			die("cone %d is a vertex of the boundary", d->file[i]);
+	for (k = 0; k < n; k++)
+		if (cone[k] == i)
+			die("%s cones are vertex %d", d->nb ? "both" : "two", d->file[i]);
+}
+
+void
+opt_cones(const char *arg, const Disk *d, int cone[3])
+{
+	int k, count = d->nb ? 2 : 3;
+	VertexList g;
+
+	for (k = 0; k < 3; k++)
+		cone[k] = -1;
 	if (!arg || strcmp(arg, "auto") == 0)
 		return;
-	if (!vertexlist(arg, 2, &g))
-		misuse("--cones=%s: need two vertex numbers or two points x,y,z;x,y,z", arg);
-	for (k = 0; k < 2; k++) {
-		cone[k] = g.n == 2 ? vertexlist_number(d, "cone", "a face", g.x[k]) : nearest(d, g.x + 3*k);
-		for (i = 0; i < d->nb; i++)
-			if (d->loop[i] == cone[k])
-				die("cone %d is a vertex of the boundary", d->file[cone[k]]);
+	if (!vertexlist(arg, count, &g))
+		misuse("--cones=%s: need %s vertex numbers or %s points x,y,z;x,y,z%s", arg, d->nb ? "two" : "three",
+		    d->nb ? "two" : "three", d->nb ? "" : ";x,y,z on a closed surface, whose fourth cone follows");
+	for (k = 0; k < count; k++) {
+		cone[k] = g.n == count ? vertexlist_number(d, "cone", "a face", g.x[k]) : nearest(d, g.x + 3*k);
+		check_cone(d, cone[k], k, cone);
 	}
-	if (cone[0] == cone[1])
-		die("both cones are vertex %d", d->file[cone[0]]);
+}
+
+/* The cones as numbers in the file, separated by commas. */
+static const char *
+list(const Disk *d, const Conformal *c, char text[64])
+{
+	int k, n = c->grid.g.kind->cones, at = 0;
+
+	for (k = 0; k < n; k++)
+		at += snprintf(text + at, 64 - at, k ? ",%d" : "%d", d->file[c->cone[k]]);
+	return text;
 }
 
 void
 cones_meta(Lhg *out, const Disk *d, const Conformal *c)
 {
-	cmd_meta(out, "cones", "%d,%d", d->file[c->cone[0]], d->file[c->cone[1]]);
+	char text[64];
+
+	cmd_meta(out, "cones", "%s", list(d, c, text));
 	cmd_meta(out, "chi2", "%.4g", c->chi2[1]);
+}
+
+void
+cones_chi2(const char *mesh, int force, const Disk *d, const Conformal *c)
+{
+	double chi2 = c->chi2[1];
+	char text[64];
+
+	if (!c->grid.g.kind->closed)
+		return;
+	detail("%s: cones at or near the vertices %s, of which the fourth follows from the others; chi^2 %.3g", mesh,
+	    list(d, c, text), chi2);
+	if (!(chi2 <= REFUSED) && !force)
+		die("%s: chi^2 %.3g is above %g: more than four long limbs, or cones away from their tips, so nearly all "
+		    "nodes lie on a small part of the surface: other --cones, or --force", mesh, chi2, REFUSED);
+	if (chi2 > NOTED)
+		note("%s: chi^2 %.3g: parts of the surface get few nodes; three tips of limbs as --cones may serve better",
+		    mesh, chi2);
 }
 
 int

@@ -32,7 +32,7 @@ loss_report(Lhg *out, const char *mesh, double most, const Disk *d, const Confor
 	if (cones_help(c))
 		snprintf(sock, sizeof sock, "--chart=sock (chi^2 %.3g, on the rectangle %.3g), ", c->chi2[1], c->chi2[0]);
 	if (noted)
-		note("%s: the grid holds %s: %smore cells (-n auto), other corners (-c) or a part of the mesh alone "
-		    "lose less", mesh, what, sock);
+		note("%s: the grid holds %s: %smore cells (-n auto), other %s or a part of the mesh alone "
+		    "lose less", mesh, what, sock, c->grid.g.kind->closed ? "--cones" : "corners (-c)");
 	return noted;
 }

@@ -4,14 +4,15 @@
 #include "quality.h"
 
 void
-quality_meta(Lhg *out, const Disk *d, const int corner[4], double apart, const Conformal *c)
+quality_meta(Lhg *out, const Disk *d, const int *corner, double apart, const Conformal *c)
 {
 	const int *l = d->loop;
 
 	cmd_meta(out, "vertices", "%d", d->m.nv);
 	cmd_meta(out, "faces", "%d", d->m.nf);
-	cmd_meta(out, "corners", "%d,%d,%d,%d", d->file[l[corner[0]]], d->file[l[corner[1]]],
-	    d->file[l[corner[2]]], d->file[l[corner[3]]]);
+	if (corner)
+		cmd_meta(out, "corners", "%d,%d,%d,%d", d->file[l[corner[0]]], d->file[l[corner[1]]],
+		    d->file[l[corner[2]]], d->file[l[corner[3]]]);
 	if (apart >= 0)
 		cmd_meta(out, "like", "%.6g", apart);
 	cmd_meta(out, "certificate", "%.6g", c->certificate);

@@ -5,9 +5,9 @@
 #include "../../format/lhg.h"
 #include "../../lib/map/conformal.h"
 
-/* Adds the metadata of the map of d.  apart: distance of its boundary from that of --like, or
+/* Adds the metadata of the map of d.  corner: NULL on a closed surface.  apart: distance of its boundary from that of --like, or
  * -1. */
-void quality_meta(Lhg *out, const Disk *d, const int corner[4], double apart, const Conformal *c);
+void quality_meta(Lhg *out, const Disk *d, const int *corner, double apart, const Conformal *c);
 
 /* Adds the facts (lib/meshfile/facts.h), what the mesh file says of its coordinates, as metadata. */
 void quality_facts(Lhg *out, const char *facts);

@@ -57,12 +57,24 @@ load_range(const char *name, const Soup *s)
 	free(x);
 }
 
-void
-load_disk(const char *name, const Soup *s, Disk *d)
+static void
+load_by(int (*make)(Disk *, const Soup *), const char *name, const Soup *s, Disk *d)
 {
 	load_range(name, s);
-	if (disk_from_soup(d, s))
+	if (make(d, s))
 		die("%s: %s", name, d->err);
 	if (d->note[0])
 		note("%s: %s", name, d->note);
+}
+
+void
+load_disk(const char *name, const Soup *s, Disk *d)
+{
+	load_by(disk_from_soup, name, s, d);
+}
+
+void
+load_disk_or_closed(const char *name, const Soup *s, Disk *d)
+{
+	load_by(disk_or_closed, name, s, d);
 }

@@ -17,6 +17,9 @@ void load_range(const char *name, const Soup *s);
 /* Sets d to the disk made from s, or dies.  Repairs are printed as a note. */
 void load_disk(const char *name, const Soup *s, Disk *d);
 
+/* As load_disk, but a closed surface of genus 0 is taken, too; it has no loop. */
+void load_disk_or_closed(const char *name, const Soup *s, Disk *d);
+
 /* Dies if no mesh file begins with the n bytes at head.  For cmd_slurp_if (cmd.h). */
 void load_look(const char *name, const char *head, size_t n);
 

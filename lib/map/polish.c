@@ -35,12 +35,13 @@ grid_alloc(Grid *a, Chart g)
 	int c;
 
 	a->g = g;
-	a->x = malloc(5*n*sizeof *a->x);
-	if (!a->x)
+	a->phi[0] = malloc(5*n*sizeof *a->phi[0]);
+	if (!a->phi[0])
 		return POLISH_ENOMEM;
-	a->y = a->x + n;
-	for (c = 0; c < 3; c++)
-		a->phi[c] = a->x + (2 + c)*n;
+	for (c = 1; c < 3; c++)
+		a->phi[c] = a->phi[0] + c*n;
+	a->x = a->phi[0] + 3*n;
+	a->y = a->phi[0] + 4*n;
 	return 0;
 }
 
@@ -93,8 +94,8 @@ grid_init(Grid *a, const ChartMap *map, int nu, int nv, const Sampler *s)
 void
 grid_free(Grid *a)
 {
-	free(a->x);
-	a->x = NULL;
+	free(a->phi[0]);
+	a->phi[0] = NULL;
 }
 
 static int
@@ -190,7 +191,7 @@ state_copy(const State *from, State *to)
 	to->grid.g = from->grid.g;
 	to->grid.map = from->grid.map;
 	to->mean = from->mean;
-	memcpy(to->grid.x, from->grid.x, 5*n*sizeof(double));
+	memcpy(to->grid.phi[0], from->grid.phi[0], 5*n*sizeof(double));
 	copy_points(from->n, from->pu, from->pv, to);
 }
 

@@ -18,8 +18,8 @@ enum { POLISH_ENOMEM = -1 };
 typedef struct Grid {
 	Chart    g;
 	ChartMap map;           /* where places lie on the rectangle of the mesh */
-	double *x, *y;          /* [nv][nu] place of each node */
-	double *phi[3];         /* [nv][nu] position of each node */
+	double *phi[3];         /* [nv][nu] position of each node; one piece of memory, which also holds x and y */
+	double *x, *y;          /* [nv][nu] place of each node; NULL on the pillow (pillowgrid.h) */
 } Grid;
 
 /* Samples s on the nodes (23) of a chart of nu x nv nodes, nu, nv >= 4; on a sock nu, nv >= 6.  s is over

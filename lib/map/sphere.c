@@ -11,6 +11,7 @@
 #include "../sparse/chol.h"
 
 enum { ROUNDS = 2 };                    /* of Schwarz's method */
+enum { FEW = 60 };                      /* vertices: a mesh of fewer is split first, or too few of them are held */
 static const double FREE = 0.75;        /* share of the vertices that are free in a half round */
 
 /* ---- the faces ------------------------------------------------------- */
@@ -421,6 +422,8 @@ sphere_map(const Disk *d, const AdaptOptions *o, SphereMap *m, SpdReport *report
 	memset(m, 0, sizeof *m);
 	memset(report, 0, sizeof *report);
 	e = subdivision_init(&m->mesh, d) ? SPD_ENOMEM : 0;
+	while (!e && m->mesh.d.m.nv < FEW)
+		e = subdivision_refine(&m->mesh, NULL, NULL, NULL) ? SPD_ENOMEM : 0;
 	while (!e && n > 0) {
 		e = solve_linear(m, report);
 		n = e ? 0 : refine(m, o);
