@@ -23,7 +23,8 @@ static const char text[] =
 CMD_USAGE
 "H is -1 on the unit sphere if the normal x_u cross x_v points out.  On the outermost ring\n"
 "lambda and H are extrapolated from the rings inside.  Near the corners |H| is limited to four\n"
-"times its root mean square elsewhere (not with --residual).  -v prints median, mean and maximum\n"
+"times its root mean square elsewhere (not with --residual).  A closed surface, on the pillow, has\n"
+"no band; on the pillow and the sock the start has all nodes.  -v prints median, mean and maximum\n"
 "of the residual Beltrami coefficient over the inner nodes; it is 0 where the grid is conformal.\n"
 "Example: mesh2rect face.ply | grid2lh -o face.lhg\n";
 

@@ -34,7 +34,7 @@ CMD_USAGE
 "and boundary.  A place is a start on the full grid; filtered by lhfft --scale or --relief, it also\n"
 "holds the waves that the filter left; shorter ones follow lambda and H.  Without a start, the\n"
 "frame method computes one on the coarsest grid, from three rings of the band; on the sock it is\n"
-"a cap.\n"
+"a cap, on the pillow a sphere.  A closed surface is put where the start is.\n"
 "With --boundary=free the border nodes are unknowns too, determined by the metric alone.  The\n"
 "surface is then moved rigidly so that its border is nearest to that of the band; without a\n"
 "band, so that the surface is nearest to the start.  lambda and H determine a surface up to\n"

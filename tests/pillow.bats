@@ -50,7 +50,7 @@ assert abs(H.sum()/l.sum() + 1) < 1e-3' "$tmp/sphere.lh"
 		below "$(error_of "$tmp/$s" "$tmp/back" mean_rel)" 5e-4
 	done
 	for s in sphere egg pear; do
-		lh2grid "$tmp/$s.res" -o "$tmp/back"
+		lh2grid --boundary=free "$tmp/$s.res" -o "$tmp/back"    # there is none
 		below "$(error_of "$tmp/$s" "$tmp/back" max_rel)" 1e-8
 	done
 }
@@ -105,11 +105,11 @@ assert (a["lambda"] == b["lambda"]).all() and (a["H"] == b["H"]).all()' "$tmp/pe
 @test "another choice of cones: the same scale" {
 	$BUILD/tests/mkpillow pear 96 96 .8 >"$tmp/high"
 	for s in pear high; do
-		grid2lh -q "$tmp/$s" | lhfft --scale=40% | lh2grid | grid2mesh -o "$tmp/scale-$s.off"
+		grid2lh -q "$tmp/$s" | lhfft --scale=80% | lh2grid | grid2mesh -o "$tmp/scale-$s.off"
 	done
 	hausdorff=$(lhdiff --no-self-intersections "$tmp/scale-pear.off" "$tmp/scale-high.off" 2>/dev/null |
 		awk '$1 == "hausdorff_rel" { print $2 }')
-	below "$hausdorff" 0.01
+	below "$hausdorff" 0.003
 }
 
 @test "morphs: the ends are met, B is moved onto A, its cones are compared" {

@@ -215,11 +215,11 @@ seconds(void)
 
 /* If the steps crept, prints a note, or dies if the surface is not known well enough. */
 static void
-say_crept(const CmdInput *in, const SurfaceFit *o, const FitProgress *at)
+say_crept(const CmdInput *in, const SurfaceFit *o, int is_free, const FitProgress *at)
 {
 	if (at->stopped != FIT_CREPT)
 		return;
-	if (at->crept > (o->free ? UNSETTLED_FREE : UNSETTLED*fmax(o->tolerance, USUAL)))
+	if (at->crept > (is_free ? UNSETTLED_FREE : UNSETTLED*fmax(o->tolerance, USUAL)))
 		die("%s: no convergence: the last steps hardly lower the energy, %.4g, but move the surface by %.2g of "
 		    "sqrt(area); try fewer cells, or a stronger filter", in->name, at->energy, at->crept);
 	note("%s: the last steps crept: energy %.4g, moved by %.1e of sqrt(area) (metadatum stopped)", in->name,
@@ -257,8 +257,8 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 	s.forecast = o->forecast;
 	s.detail = o->detail;
 	s.filtered = lhg_getmeta(g, "waves", value, sizeof value) != NULL;
-	s.free = o->free;
-	s.adrift = s.g.kind->closed ? s.start && !s.place : o->free && !surfacefit_rings(g, o);
+	s.free = o->free && !s.g.kind->closed;
+	s.adrift = s.g.kind->closed ? s.start && !s.place : s.free && !surfacefit_rings(g, o);
 	s.where = s.g.kind->closed ? o->where ? o->where : full : NULL;
 	if (s.free && (g->nu < 3 || g->nv < 3))
 		die("%s: %d x %d nodes, a free boundary needs at least 3 x 3", in->name, g->nu, g->nv);
@@ -272,7 +272,7 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 		if (s.exact && !s.free && at->stopped && !(at->misfit <= FIT_EXACT))
 			die("%s: the fit ends at another surface than the one of the residual channels: misfit %.2g, not 0; "
 			    "try other cells, or --ideal", in->name, at->misfit);
-		say_crept(in, o, at);
+		say_crept(in, o, s.free, at);
 		break;
 	case 0:
 		die("%s: no convergence in %d steps: energy %.4g, change %.2g, the largest residual at node (%d,%d)",
