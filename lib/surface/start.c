@@ -33,10 +33,12 @@ static const struct {
 	const ChartKind *kind;
 	int   rings;
 	int (*find)(Chart finest, double *band, const Level *l);
+	int   stages;
+	int (*between)(const Level *l, double t, double *lambda2, double *l2H);
 } known[] = {
-	{ &CHART_RECTANGLE, FRAME_BAND, from_frame },
-	{ &CHART_SOCK, 1, start_from_cap },
-	{ &CHART_PILLOW, 0, start_from_sphere },
+	{ &CHART_RECTANGLE, FRAME_BAND, from_frame, 0, NULL },
+	{ &CHART_SOCK, 1, start_from_cap, 0, NULL },
+	{ &CHART_PILLOW, 0, start_from_sphere, 3, start_between_sphere },
 };
 
 static int
@@ -59,4 +61,16 @@ int
 start_find(Chart finest, double *band, const Level *l)
 {
 	return known[index_of(l->g.kind)].find(finest, band, l);
+}
+
+int
+start_stages(const ChartKind *kind)
+{
+	return known[index_of(kind)].stages;
+}
+
+int
+start_between(const Level *l, double t, double *lambda2, double *l2H)
+{
+	return known[index_of(l->g.kind)].between(l, t, lambda2, l2H);
 }

@@ -13,7 +13,7 @@
  * C. J. Earle 1986).
  *
  * On the pillow: the round sphere (pillowplane.h) with the area of the surface, centred at 0, its normal to the side
- * that H says. */
+ * that H says.  It is far from most surfaces, so those between the two are fitted first (start_between). */
 #ifndef START_H
 #define START_H
 
@@ -28,8 +28,16 @@ int start_rings(const ChartKind *kind);
  * of `band` [3][nv][nu] are given.  Returns 0, START_ENOMEM or START_ENONE. */
 int start_find(Chart finest, double *band, const Level *l);
 
+/* How many surfaces between the start and that of l are to be fitted one after the other; 0 on most charts. */
+int start_stages(const ChartKind *kind);
+
+/* Sets lambda2 and l2H to those of the surface at the share t, 0 .. 1, of the way from the start to l:
+ * log lambda and lambda H between those of the two.  Returns 0 or START_ENOMEM. */
+int start_between(const Level *l, double t, double *lambda2, double *l2H);
+
 /* On the sock: startcap.c; on the pillow: startsphere.c. */
 int start_from_cap(Chart finest, double *band, const Level *l);
 int start_from_sphere(Chart finest, double *band, const Level *l);
+int start_between_sphere(const Level *l, double t, double *lambda2, double *l2H);
 
 #endif

@@ -13,7 +13,7 @@
 #include "surface.h"
 
 static const double ENOUGH = 1e-4;      /* tolerance of coarse grids */
-enum { ROUGH = 12 };            /* most steps on coarse grids */
+enum { ROUGH = 12, STAGE = 4 }; /* most steps on coarse grids; for a surface between the start and the result */
 /* The fit ends when the predicted decrease is below this share of E: on the finest grid, and on coarse
  * ones, where the interpolation to the next grid changes E by far more. */
 static const double FLAT = 1e-6, FLAT_COARSE = 1e-3;
@@ -99,6 +99,30 @@ find_start(const Surface *s, const Level *l, double *finest)
 	return e == START_ENONE ? SURFACE_ESTART : e ? SURFACE_ENOMEM : 0;
 }
 
+/* Fits the surfaces between the start and that of l, whose phi is the start, in few steps each. */
+static int
+approach(const Surface *s, const Level *l, const FitOptions *o, FitProgress *at)
+{
+	size_t n = level_nodes(l->g);
+	Level between = { l->g, malloc(n*sizeof(double)), malloc(n*sizeof(double)), l->phi };
+	int stages = start_stages(l->g.kind), k, r = between.lambda2 && between.l2H ? 0 : SURFACE_ENOMEM;
+	FitOptions few = *o;
+
+	few.tolerance = ENOUGH;
+	few.most = STAGE;
+	few.sharpen = 0;
+	few.flat = FLAT_COARSE;
+	for (k = 1; r >= 0 && k <= stages; k++) {
+		if (start_between(l, k/(stages + 1.0), between.lambda2, between.l2H))
+			r = SURFACE_ENOMEM;
+		else
+			r = fit_level(s, &between, 0, NULL, &few, at);
+	}
+	free(between.lambda2);
+	free(between.l2H);
+	return r;
+}
+
 /* Whether the start has at least as many nodes as g in each direction. */
 static int
 resolves(const Surface *s, Chart g)
@@ -126,8 +150,11 @@ descend(const Surface *s, double unit, const Level *l, const FitOptions *o, doub
 		level_free(&below);
 	} else if (s->start)
 		r = level_interpolate(s->start_chart, s->start_end, s->start, 1/unit, l->g, rings, l->phi);
-	else
+	else {
 		r = find_start(s, l, finest);
+		if (r >= 0 && start_stages(l->g.kind))
+			r = approach(s, l, o, at);
+	}
 	if (r < 0)
 		return r;
 	last.flat = FLAT;
