@@ -91,9 +91,9 @@ join(Own *o)
 	free(o->less[0]);
 }
 
-/* Whether the place, the sum of less and part, is folded at corner k. */
+/* Whether the place, the sum of less and part, is folded within `radius` cells of corner k. */
 static int
-folds(const Own *o, int k)
+folds(const Own *o, int k, int radius)
 {
 	double *x = cmd_alloc(3*o->n, sizeof *x);
 	const double *const phi[3] = { x, x + o->n, x + 2*o->n };
@@ -103,31 +103,25 @@ folds(const Own *o, int k)
 	for (c = 0; c < 3; c++)
 		for (p = 0; p < o->n; p++)
 			x[c*o->n+p] = o->less[c+1][p] + o->part[c+1][p];
-	is = corner_folds(o->chart, k, phi, corner_radius(o->chart));
+	is = corner_folds(o->chart, k, phi, radius);
 	free(x);
 	return is;
 }
 
-/* At corners where the filtered place is folded, blends the fields into those before the filter,
- * before[FIELDS][n].  Where lambda goes to 0 at a corner, a filter leaves only the harmonic function with
- * the border values there; if the border is ragged, that function may fold. */
+/* Blends the fields within `radius` cells of corner k into those before the filter, before[FIELDS][n]. */
 static void
-keep_corners(Own *o, const double *before)
+keep(Own *o, int k, int radius, const double *before)
 {
 	double *f[FIELDS] = { o->less[0], o->less[1], o->less[2], o->less[3], o->H }, share;
-	int k, a, b, c, p, radius = corner_radius(o->chart);
+	int a, b, c, p;
 
-	for (k = 0; k < 4 && o->placed; k++) {
-		if (!corner_exists(o->chart, k) || !folds(o, k))
-			continue;
-		for (b = 0; b < radius; b++)
-			for (a = 0; a < radius; a++) {
-				p = corner_node(o->chart, k, a, b);
-				share = corner_share(o->chart, p%o->chart.nu, p/o->chart.nu);
-				for (c = 0; c < FIELDS; c++)
-					f[c][p] += share*(before[c*o->n+p] - f[c][p]);
-			}
-	}
+	for (b = 0; b < radius; b++)
+		for (a = 0; a < radius; a++) {
+			p = corner_node(o->chart, k, a, b);
+			share = corner_share_within(o->chart, radius, p%o->chart.nu, p/o->chart.nu);
+			for (c = 0; c < FIELDS; c++)
+				f[c][p] += share*(before[c*o->n+p] - f[c][p]);
+		}
 }
 
 static double *
@@ -139,6 +133,42 @@ copy_fields(const Own *o)
 	for (c = 0; c < FIELDS; c++)
 		memcpy(before + c*o->n, c < BORDERED ? o->less[c] : o->H, o->n*sizeof *before);
 	return before;
+}
+
+static void
+put_fields(Own *o, const double *from)
+{
+	double *f[FIELDS] = { o->less[0], o->less[1], o->less[2], o->less[3], o->H };
+	int c;
+
+	for (c = 0; c < FIELDS; c++)
+		memcpy(f[c], from + c*o->n, o->n*sizeof *from);
+}
+
+/* Keeps the corners at which the filtered place is folded: where lambda goes to 0 at a corner, a filter leaves only
+ * the harmonic function with the border values there, and that may fold, where the border is ragged or the corner
+ * reentrant.  If folds remain, at a scale that leaves hardly more than that function anywhere, more is kept, up to half
+ * of the shorter side, but no more than at first if that does not help. */
+static void
+keep_corners(Own *o, const double *before)
+{
+	const int least = corner_radius(o->chart), half = (o->chart.nu < o->chart.nv ? o->chart.nu : o->chart.nv)/2;
+	double *first;
+	int k, radius;
+
+	for (k = 0; k < 4 && o->placed; k++) {
+		if (!corner_exists(o->chart, k) || !folds(o, k, least))
+			continue;
+		keep(o, k, least, before);
+		first = copy_fields(o);
+		for (radius = least; folds(o, k, radius) && radius < half; ) {
+			radius = radius + (radius + 1)/2 < half ? radius + (radius + 1)/2 : half;
+			keep(o, k, radius, before);
+		}
+		if (folds(o, k, radius))
+			put_fields(o, first);
+		free(first);
+	}
 }
 
 static void

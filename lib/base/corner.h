@@ -14,4 +14,7 @@ int corner_radius(Chart g);
  * smooth between. */
 double corner_share(Chart g, int i, int j);
 
+/* The same with another radius, in cells. */
+double corner_share_within(Chart g, int radius, int i, int j);
+
 #endif
