@@ -147,6 +147,14 @@ trim(int n, const double *A, const double *ratio)
 }
 
 double
+parts_bound(int n, const double *A, const double *ratio)
+{
+	int b = trim(n, A, ratio);
+
+	return b >= BINS ? HUGE_VAL : ldexp(16 + b%16, b/16 - BINS/32 - 5);
+}
+
+double
 parts_chi2(int n, const double *A, const double *ratio)
 {
 	double area = 0, sum = 0, inverse = 0;

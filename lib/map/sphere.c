@@ -11,8 +11,10 @@
 #include "../sparse/chol.h"
 
 enum { ROUNDS = 2 };                    /* of Schwarz's method */
-enum { FEW = 60 };                      /* vertices: a mesh of fewer is split first, or too few of them are held */
+enum { CENTRING = 200 };                /* steps */
+enum { FEWEST = 200 };                  /* vertices: less do not resolve a pole */
 static const double FREE = 0.75;        /* share of the vertices that are free in a half round */
+static const double FAR = 1e100;        /* 1/z at z = 0, a vertex that is not free */
 
 /* ---- the faces ------------------------------------------------------- */
 
@@ -42,8 +44,8 @@ static void
 derivatives(const Mesh *m, Spinor *Z, int t, const Shape *s, double complex *fz, double complex *fzbar)
 {
 	const int *c = &m->tri[3*(size_t)t];
-	double complex fx = sphere_seen_from(Z[c[0]], Z[c[1]])/s->length;
-	double complex fy = (sphere_seen_from(Z[c[0]], Z[c[2]]) - fx*s->x)/s->height;
+	double complex fx = moebius_seen_from(Z[c[0]], Z[c[1]])/s->length;
+	double complex fy = (moebius_seen_from(Z[c[0]], Z[c[2]]) - fx*s->x)/s->height;
 
 	*fz = (fx - I*fy)/2;
 	*fzbar = (fx + I*fy)/2;
@@ -193,7 +195,7 @@ half_round(System *s, SpdReport *report)
 	double bound;
 
 	for (i = 0; i < n; i++) {
-		s->z[i] = 1/s->z[i];
+		s->z[i] = s->z[i] == 0 ? FAR : 1/s->z[i];
 		s->x[i] = cabs(s->z[i]);
 	}
 	qsort(s->x, n, sizeof *s->x, rising);
@@ -260,32 +262,78 @@ dipole(System *s, SpdReport *report)
 
 /* ---- places on the sphere -------------------------------------------- */
 
-static double
-median(const System *s, double (*part)(double complex z))
+/* The areas of the faces at each vertex. */
+static void
+areas_at_vertices(const Mesh *m, double *area)
 {
-	int n = s->C.g.n, i;
+	int t, k;
 
-	for (i = 0; i < n; i++)
-		s->x[i] = part(s->z[i]);
-	qsort(s->x, n, sizeof *s->x, rising);
-	return s->x[n/2];
+	memset(area, 0, m->nv*sizeof *area);
+	for (t = 0; t < m->nf; t++) {
+		Shape s = shape_of(m, t);
+
+		for (k = 0; k < 3; k++)
+			area[m->tri[3*(size_t)t+k]] += s.length*s.height;
+	}
 }
 
-/* Moves and scales z so that half of the vertices lie in the unit circle, and mirrors it if faces are turned
- * over. */
+/* One step towards the centre and the size of z, below. */
+static double
+centre_step(const System *s, const double *area, double complex *centre, double *size)
+{
+	double sum[2] = { 0, 0 }, w, far;
+	double complex z = 0, old = *centre;
+	int i;
+
+	for (i = 0; i < s->C.g.n; i++) {
+		far = moebius_square(s->z[i] - old);
+		w = area[i]/(far + *size**size);
+		z += w*s->z[i];
+		sum[0] += w;
+		sum[1] += w*far;
+	}
+	*centre = z/sum[0];
+	far = sqrt(sum[1]/sum[0]);
+	w = fabs(far - *size) + cabs(*centre - old);
+	*size = far;
+	return w/far;
+}
+
+/* Moves and scales z so that the centre of the area on the sphere is its middle.  The iteration is the EM algorithm for
+ * the position and the width of a Cauchy distribution, which has the same equations; it does not depend on the
+ * direction of the axes of z. */
+static int
+centre(System *s)
+{
+	double *area = malloc(s->C.g.n*sizeof *area), size, all = 0;
+	double complex middle = 0;
+	int i, k;
+
+	if (!area)
+		return SPD_ENOMEM;
+	areas_at_vertices(&s->d->m, area);
+	for (i = 0; i < s->C.g.n; i++) {
+		middle += area[i]*s->z[i];
+		all += area[i];
+	}
+	middle /= all;
+	for (size = 0, i = 0; i < s->C.g.n; i++)
+		size += area[i]*cabs(s->z[i] - middle)/all;
+	for (k = 0; k < CENTRING && centre_step(s, area, &middle, &size) > 1e-14; k++)
+		;
+	for (i = 0; i < s->C.g.n; i++)
+		s->z[i] = (s->z[i] - middle)/size;
+	free(area);
+	return 0;
+}
+
+/* Mirrors z if most faces are turned over. */
 static void
-balance(System *s)
+orient(System *s)
 {
 	const Mesh *m = &s->d->m;
-	double complex centre = CMPLX(median(s, creal), median(s, cimag));
-	double size;
 	int i, t, turned = 0;
 
-	for (i = 0; i < m->nv; i++)
-		s->z[i] -= centre;
-	size = median(s, cabs);
-	for (i = 0; i < m->nv; i++)
-		s->z[i] /= size;
 	for (t = 0; t < m->nf; t++) {
 		const int *c = &m->tri[3*(size_t)t];
 
@@ -308,7 +356,8 @@ store(const System *s, Spinor *Z)
 	}
 }
 
-/* Places of new vertices of s: means of those of their faces, in the plane in which the first of these is at 0. */
+/* Places of new vertices of s: means of those of their faces, as vectors that are multiplied by numbers of modulus 1,
+ * so that all products with the first are real. */
 static void
 extend(const Subdivision *s, Spinor *Z)
 {
@@ -317,18 +366,20 @@ extend(const Subdivision *s, Spinor *Z)
 	for (i = s->given; i < s->d.m.nv; i++) {
 		const int *c = s->corner[i - s->given];
 		const double *w = s->w[i - s->given];
-		const double complex *a = Z[c[0]];
-		double complex z = 0, b[2];
-		double norm;
+		const double complex *a = NULL, *b;
+		double complex turn;
 
-		for (k = 1; k < 3; k++)
-			if (w[k] > 0)
-				z += w[k]*sphere_seen_from(a, Z[c[k]]);
-		b[0] = a[0] + z*conj(a[1]);
-		b[1] = a[1] - z*conj(a[0]);
-		norm = sqrt(creal(b[0]*conj(b[0]) + b[1]*conj(b[1])));
-		Z[i][0] = b[0]/norm;
-		Z[i][1] = b[1]/norm;
+		Z[i][0] = Z[i][1] = 0;
+		for (k = 0; k < 3; k++) {
+			if (!(w[k] > 0))
+				continue;
+			b = Z[c[k]];
+			a = a ? a : b;
+			turn = conj(b[0])*a[0] + conj(b[1])*a[1];
+			Z[i][0] += w[k]*turn/cabs(turn)*b[0];
+			Z[i][1] += w[k]*turn/cabs(turn)*b[1];
+		}
+		moebius_normalise(Z[i]);
 	}
 }
 
@@ -346,8 +397,10 @@ solve_linear(SphereMap *m, SpdReport *report)
 		return e;
 	report->bytes = chol_bytes(&s.chol);
 	e = dipole(&s, report);
+	if (!e)
+		e = centre(&s);
 	if (!e) {
-		balance(&s);
+		orient(&s);
 		e = alternate(&s, report);
 	}
 	free(m->Z);
@@ -422,7 +475,7 @@ sphere_map(const Disk *d, const AdaptOptions *o, SphereMap *m, SpdReport *report
 	memset(m, 0, sizeof *m);
 	memset(report, 0, sizeof *report);
 	e = subdivision_init(&m->mesh, d) ? SPD_ENOMEM : 0;
-	while (!e && m->mesh.d.m.nv < FEW)
+	while (!e && m->mesh.d.m.nv < FEWEST)
 		e = subdivision_refine(&m->mesh, NULL, NULL, NULL) ? SPD_ENOMEM : 0;
 	while (!e && n > 0) {
 		e = solve_linear(m, report);

@@ -11,12 +11,10 @@
 #ifndef SPHERE_H
 #define SPHERE_H
 
-#include "../base/cmplx.h"
+#include "../base/moebius.h"
 #include "../mesh/subdivision.h"
 #include "../sparse/spd.h"
 #include "adapt.h"
-
-typedef double complex Spinor[2];
 
 typedef struct SphereMap {
 	Subdivision mesh;       /* the triangulation of the last solve */
@@ -34,12 +32,5 @@ void sphere_free(SphereMap *m);
 
 /* sum over faces of area |mu|, and of the areas; the number of faces turned over. */
 void sphere_beltrami(const Mesh *m, Spinor *Z, double *mu, int *turned);
-
-/* The place of b in the chart of the sphere that turns a to 0. */
-static inline double complex
-sphere_seen_from(const Spinor a, const Spinor b)
-{
-	return (b[0]*a[1] - b[1]*a[0])/(b[0]*conj(a[0]) + b[1]*conj(a[1]));
-}
 
 #endif
