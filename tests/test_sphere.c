@@ -3,7 +3,8 @@
 
 #include "cmock.h"
 
-#include "../lib/map/conesearch.h"
+#include "../lib/map/spherecones.h"
+#include "../lib/map/sphereparts.h"
 #include "../lib/map/sphere.h"
 #include "closedmesh.h"
 
@@ -256,7 +257,7 @@ cones_go_to_the_tips_of_limbs(void **state)
 	map_mesh(&mesh, &PLAIN, &d, &m);
 	assert_int_equal(spherecones(&m.mesh.d.m, m.Z, NULL, &c), 0);
 	for (k = 0; k < 4; k++) {
-		spherecones_place(&c, k, Z);
+		conemap_place(&c.map, k, Z);
 		for (most = 1, far = 0, i = 0; i < mesh.nv; i++)
 			if (cabs(moebius_cross(Z, m.Z[i])) < most) {
 				most = cabs(moebius_cross(Z, m.Z[i]));
@@ -264,13 +265,13 @@ cones_go_to_the_tips_of_limbs(void **state)
 			}
 		assert_true(far > 2.5);
 	}
-	assert_true(c.T >= 0.5 && c.chi2 > 1);
+	assert_true(c.map.T >= 0.5 && c.chi2 > 1);
 	assert_int_equal(spherecones(&m.mesh.d.m, m.Z, given, &other), 0);
 	assert_true(other.chi2 > 1.5*c.chi2);
 	assert_int_equal(spherecones(&m.mesh.d.m, m.Z, at, &other), 0);
 	assert_true(other.chi2 < 1.2*c.chi2 && other.chi2 > 0.99*c.chi2);
 	for (k = 0; k < 3; k++) {
-		spherecones_place(&other, k, Z);
+		conemap_place(&other.map, k, Z);
 		assert_true(cabs(moebius_cross(Z, m.Z[at[k]])) < 1e-9);
 	}
 	given[1] = given[0];
@@ -292,7 +293,7 @@ the_pillow_of_a_sphere_is_a_square(void **state)
 	(void)state;
 	map_mesh(&mesh, &PLAIN, &d, &m);
 	assert_int_equal(spherecones(&m.mesh.d.m, m.Z, NULL, &c), 0);
-	assert_true(fabs(c.T - .5) < .02);
+	assert_true(fabs(c.map.T - .5) < .02);
 	assert_true(c.chi2 > 1.2 && c.chi2 < 1.3);
 	sphere_free(&m);
 	disk_free(&d);

@@ -28,7 +28,7 @@ shape(const Closed *m, Chart g)
 {
 	double nodes = (double)g.nu*g.nv;
 
-	g.T = m->cones.T;
+	g.T = m->cones.map.T;
 	if (!(m->options->shape || m->options->keep > 0))
 		return g;
 	g.nu = 2*(int)fmax(floor(sqrt(nodes/g.T)/2 + 0.5), 4);
@@ -78,7 +78,7 @@ static void
 find_cones(const Closed *m, Conformal *c)
 {
 	static const double at[4][2] = { { 0, 0 }, { 0.5, 0 }, { 0.5, 1 }, { 0, 1 } };
-	PillowPlane plane = pillowplane(m->cones.T);
+	PillowPlane plane = pillowplane(m->cones.map.T);
 	Spinor p;
 	int k;
 
@@ -150,7 +150,7 @@ choose_cones(Closed *m)
 	for (i = 0; i < m->map.mesh.d.m.nv; i++) {
 		Spinor w;
 
-		spherecones_move(&m->cones, m->map.Z[i], w);
+		conemap_move(&m->cones.map, m->map.Z[i], w);
 		m->map.Z[i][0] = w[0];
 		m->map.Z[i][1] = w[1];
 	}

@@ -20,19 +20,6 @@ numbers(const ConeSearch *s)
 	return s->fixed ? 1 : FREE;
 }
 
-void
-conesearch_map(const ConeSearch *from, SphereCones *c)
-{
-	Spinor P[3], W[3];
-	int k;
-
-	memcpy(P, from->P, sizeof P);
-	for (k = 0; k < 3; k++)
-		spherecones_of_pillow(from->T, k, W[k]);
-	moebius_three(P, W, c->M);
-	c->T = from->T;
-}
-
 /* The cones that x leads to: log T changes by x[0], P[k] moves to x[2k+1] + i x[2k+2] of the plane in which it is
  * at 0. */
 static void
@@ -51,13 +38,13 @@ static int
 cones_at(const ConeSearch *s, const double *x, Spinor cone[CONES])
 {
 	ConeSearch to;
-	SphereCones c;
+	ConeMap c;
 	int k;
 
 	change(s, x, &to);
 	memcpy(cone, to.P, sizeof to.P);
-	conesearch_map(&to, &c);
-	spherecones_place(&c, 3, cone[3]);
+	conemap_three(to.P, to.T, &c);
+	conemap_place(&c, 3, cone[3]);
 	for (k = 0; k < CONES && isfinite(creal(cone[k][0])); k++)
 		;
 	return k == CONES;

@@ -2,7 +2,7 @@
 #ifndef CONESEARCH_H
 #define CONESEARCH_H
 
-#include "spherecones.h"
+#include "conemap.h"
 #include "sphereparts.h"
 
 /* The first three cones are at P, and the last is on the circle through them, which is real on the sphere of the
@@ -20,8 +20,5 @@ int conesearch_scan(ConeSearch *s);
 
 /* Moves the cones to lower log chi^2, and returns it. */
 double conesearch_descend(ConeSearch *s);
-
-/* The map that takes P to the first three cones of the pillow. */
-void conesearch_map(const ConeSearch *s, SphereCones *c);
 
 #endif

@@ -1,8 +1,8 @@
 /* spherecones.c - the best of several starts. */
 #include <string.h>
 
-#include "../base/pillowplane.h"
 #include "conesearch.h"
+#include "spherecones.h"
 
 enum {
 	CONES  = SPHEREPARTS_CONES,
@@ -10,37 +10,6 @@ enum {
 	MANY   = 8192,
 	STARTS = 6
 };
-
-void
-spherecones_move(const SphereCones *c, const Spinor Z, Spinor w)
-{
-	moebius_apply((void *)c->M, Z, w);
-}
-
-void
-spherecones_back(const SphereCones *c, const Spinor w, Spinor Z)
-{
-	moebius_back((void *)c->M, w, Z);
-}
-
-void
-spherecones_of_pillow(double T, int k, Spinor w)
-{
-	double s = pillowplane(T).half.s;
-
-	w[0] = k == 0 ? -s : k == 1 ? s : k == 2 ? 1 : -1;
-	w[1] = k < 2 ? 1 : s;
-	moebius_normalise(w);
-}
-
-void
-spherecones_place(const SphereCones *c, int k, Spinor Z)
-{
-	Spinor w;
-
-	spherecones_of_pillow(c->T, k, w);
-	spherecones_back(c, w, Z);
-}
 
 /* ---- starts ---------------------------------------------------------- */
 
@@ -137,16 +106,16 @@ begin_search(const Mesh *m, Spinor *Z, const int *given, ConeSearch *s)
 
 /* Exchanges u and v if T < 1/2. */
 static void
-exchange(SphereCones *c)
+exchange(ConeMap *c)
 {
-	ConeSearch s = { .T = 1/(4*c->T) };
+	Spinor P[3];
 	int k;
 
 	if (!(c->T < 0.5))
 		return;
 	for (k = 0; k < 3; k++)
-		spherecones_place(c, k + 1, s.P[k]);
-	conesearch_map(&s, c);
+		conemap_place(c, k + 1, P[k]);
+	conemap_three(P, 1/(4*c->T), c);
 }
 
 int
@@ -162,9 +131,9 @@ spherecones(const Mesh *m, Spinor *Z, const int *given, SphereCones *c)
 	e = begin_search(m, Z, given, &s);
 	if (!e) {
 		c->chi2 = exp(conesearch_descend(&s));
-		conesearch_map(&s, c);
+		conemap_three(s.P, s.T, &c->map);
 		if (!given)
-			exchange(c);
+			exchange(&c->map);
 	}
 	sphereparts_free(&many);
 	return e;
