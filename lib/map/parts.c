@@ -130,16 +130,16 @@ bin_of(double ratio)
 	return e < 0 ? 0 : e >= BINS/16 ? BINS - 1 : 16*e + (int)(32*m - 16);
 }
 
-/* The lowest bin whose parts, with those of all higher bins, have at most the share TRIMMED of the area. */
+/* The lowest bin whose parts, with those of all higher bins, have at most that share of the area. */
 static int
-trim(int n, const double *A, const double *ratio)
+trim(int n, const double *A, const double *ratio, double share)
 {
 	double area[BINS] = { 0 }, left = 0;
 	int i, b;
 
 	for (i = 0; i < n; i++) {
 		area[bin_of(ratio[i])] += A[i];
-		left += TRIMMED*A[i];
+		left += share*A[i];
 	}
 	for (b = BINS - 1; b >= 0 && area[b] <= left; b--)
 		left -= area[b];
@@ -147,9 +147,9 @@ trim(int n, const double *A, const double *ratio)
 }
 
 double
-parts_bound(int n, const double *A, const double *ratio)
+parts_bound(int n, const double *A, const double *ratio, double share)
 {
-	int b = trim(n, A, ratio);
+	int b = trim(n, A, ratio, share);
 
 	return b >= BINS ? HUGE_VAL : ldexp(16 + b%16, b/16 - BINS/32 - 5);
 }
@@ -158,7 +158,7 @@ double
 parts_chi2(int n, const double *A, const double *ratio)
 {
 	double area = 0, sum = 0, inverse = 0;
-	int i, end = trim(n, A, ratio);
+	int i, end = trim(n, A, ratio, TRIMMED);
 
 	for (i = 0; i < n; i++) {
 		if (bin_of(ratio[i]) >= end)

@@ -37,9 +37,9 @@ typedef struct PartFace {
 /* Adds about `parts` parts, made of n faces f by halving them by area; f is sorted.  p has room for PARTS_MOST. */
 void parts_of_faces(Parts *p, PartFace *f, int n, int parts);
 
-/* chi^2 of n parts with areas A and ratios A/a; a may have any common factor.  And the bound of the ratios: parts
- * are left out from it on. */
-double parts_bound(int n, const double *A, const double *ratio);
+/* chi^2 of n parts with areas A and ratios A/a; a may have any common factor.  And the bound of the ratios from which on
+ * parts are left out, if they may be that share of the surface. */
+double parts_bound(int n, const double *A, const double *ratio, double share);
 double parts_chi2(int n, const double *A, const double *ratio);
 
 #endif

@@ -4,7 +4,8 @@
  *
  *   a ~ S/(|p_0 x Z| |p_1 x Z| |p_2 x Z| |p_3 x Z|),   p x Z = p[0] Z[1] - p[1] Z[0],
  *
- * for a part of area S on the sphere, at Z.  chi^2 is that of parts.h.  doc/mathematics.md 3.9.
+ * for a part of area S on the sphere, at Z.  chi^2 is that of parts.h, without up to
+ * 0.1 % of the surface.  doc/mathematics.md 3.9.
  */
 #ifndef SPHEREPARTS_H
 #define SPHEREPARTS_H
