@@ -6,6 +6,7 @@
 #include "../lib/map/spherecones.h"
 #include "../lib/map/sphereparts.h"
 #include "../lib/map/sphere.h"
+#include "../lib/base/vec3.h"
 #include "closedmesh.h"
 
 static const AdaptOptions PLAIN = { 1, 1, 1000000 }, LINEAR = { 1, 0, 1000000 }, FINE = { 1e-3, 1, 1000000 };
@@ -335,6 +336,20 @@ the_gradient_of_chi2_is_that_of_its_values(void **state)
 	mesh_free(&mesh);
 }
 
+/* The component along the radius of the normal of face t of a sphere round (1e4,1e4,1e4). */
+static double
+outward(const Mesh *m, int t)
+{
+	double a[3][3], n[3];
+	int k, c;
+
+	for (k = 0; k < 3; k++)
+		for (c = 0; c < 3; c++)
+			a[k][c] = m->xyz[3*m->tri[3*t+k] + c] - 1e4;
+	cross3(a[1], a[2], n);
+	return dot3(a[0], n);
+}
+
 /* ---- what is no sphere ------------------------------------------------ */
 
 static void
@@ -358,6 +373,35 @@ a_torus_is_refused_with_its_handle(void **state)
 		}
 	assert_int_equal(closed_disk(&m, &d), MESH_EDISK);
 	assert_non_null(strstr(d.err, "1 handle,"));
+	mesh_free(&m);
+}
+
+/* The faces of a closed surface are turned outwards, here far from the origin. */
+static void
+normals_point_outwards(void **state)
+{
+	Mesh m = closed_sphere(2, 0);
+	Disk d;
+	int i, pass;
+
+	(void)state;
+	for (i = 0; i < 3*m.nv; i++)
+		m.xyz[i] += 1e4;
+	for (pass = 0; pass < 2; pass++) {
+		assert_int_equal(closed_disk(&m, &d), 0);
+		assert_true((d.note[0] != 0) == pass);
+		for (i = 0; i < m.nf; i++)
+			assert_true(outward(&d.m, i) > 0);
+		for (i = 0; i < 3*m.nf; i++)
+			assert_true(d.twin[d.twin[i]] == i && d.m.tri[d.twin[i]] == d.m.tri[i%3 == 2 ? i - 2 : i + 1]);
+		for (i = 0; i < m.nf; i++) {
+			int c = m.tri[3*i];
+
+			m.tri[3*i] = m.tri[3*i+1];
+			m.tri[3*i+1] = c;
+		}
+		disk_free(&d);
+	}
 	mesh_free(&m);
 }
 
@@ -387,6 +431,7 @@ main(void)
 		cmocka_unit_test(the_pillow_of_a_sphere_is_a_square),
 		cmocka_unit_test(the_gradient_of_chi2_is_that_of_its_values),
 		cmocka_unit_test(a_torus_is_refused_with_its_handle),
+		cmocka_unit_test(normals_point_outwards),
 		cmocka_unit_test(few_vertices_are_enough),
 	};
 

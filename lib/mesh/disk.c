@@ -261,6 +261,8 @@ build(Disk *d, const Soup *s, Wanted wanted, int *scratch)
 		return mesh_fail(d->err, MESH_ENOMEM, "no memory for the channels of %d vertices", m->nv);
 	if (loose || (e = checkdisk(d, wanted)) != 0)
 		return loose ? 0 : e;
+	if (d->nb == 0 && disk_turn_outwards(d))
+		addnote(d, "the faces were turned: their normals pointed inwards");
 	if ((v = d->nb ? remedy_coincident(d) : 0) < 0)
 		return v;
 	if (v > 0)

@@ -18,7 +18,8 @@
  * free. */
 int disk_from_soup(Disk *d, const Soup *s);
 
-/* As disk_from_soup, but a closed surface of genus 0 is taken, too: nb is then 0, and twin has no -1. */
+/* As disk_from_soup, but a closed surface of genus 0 is taken, too: nb is then 0, and twin has no -1.
+ * Its faces are turned so that the normal points outwards. */
 int disk_or_closed(Disk *d, const Soup *s);
 
 /* The faces of a soup, for uses that need no disk.  Vertices are dropped and welded as above, but
@@ -32,5 +33,8 @@ int disk_loose(Disk *d, const Soup *s);
 /* Reverses the orientation of every face, hence the normal, and the direction of the loop.  The
  * loop still begins at its lowest vertex number. */
 void disk_flip(Disk *d);
+
+/* Flips a closed surface whose normal points inwards.  Returns whether it did. */
+int  disk_turn_outwards(Disk *d);
 
 #endif

@@ -1,5 +1,6 @@
 /* diskflip.c - reversing the orientation of a disk. */
 #include "disk.h"
+#include "../base/vec3.h"
 
 /* The number that a side has after its face is turned. */
 static int
@@ -22,4 +23,33 @@ disk_flip(Disk *d)
 	}
 	for (i = 1; i < d->nb - i; i++)
 		t = d->loop[i], d->loop[i] = d->loop[d->nb - i], d->loop[d->nb - i] = t;
+}
+
+/* Six times the volume inside a closed surface; negative if its faces are clockwise seen from outside. */
+static double
+volume(const Mesh *m)
+{
+	double a[3], b[3], c[3], n[3], sum = 0;
+	int t;
+
+	for (t = 0; t < m->nf; t++) {
+		const int *corner = &m->tri[3*(size_t)t];
+
+		sub3(&m->xyz[3*(size_t)corner[0]], m->xyz, a);
+		sub3(&m->xyz[3*(size_t)corner[1]], m->xyz, b);
+		sub3(&m->xyz[3*(size_t)corner[2]], m->xyz, c);
+		cross3(b, c, n);
+		sum += dot3(a, n);
+	}
+	return sum;
+}
+
+int
+disk_turn_outwards(Disk *d)
+{
+	int inwards = volume(&d->m) < 0;
+
+	if (inwards)
+		disk_flip(d);
+	return inwards;
 }
