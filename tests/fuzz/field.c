@@ -13,7 +13,7 @@ LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 	FieldFile f;
 	int k, i;
 
-	if (fieldfile_parse((const char *)data, n, "name", NULL, &f, err)) {
+	if (fieldfile_parse((const char *)data, n, "name", fuzz_beside(), &f, err)) {
 		fuzz_need(*err && !strchr(err, '\n'), "a refusal without one line");
 		fuzz_need(fuzz_live() == before, "memory is lost");
 		return 0;

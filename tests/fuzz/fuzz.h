@@ -33,6 +33,10 @@ void fuzz_mesh_from(const char *magic, size_t nmagic, const uint8_t *data, size_
  * beginning of the root element, in place of their first bytes. */
 void fuzz_xml(const char *root, const uint8_t *data, size_t n);
 
+/* Files beside a mesh, for MeshParse: at most FUZZ_BESIDE bytes until the next call. */
+enum { FUZZ_BESIDE = 2000 };
+const struct MeshBeside *fuzz_beside(void);
+
 /* The memory that reading n bytes may use: 16 for each byte, and 1024 (meshfile.h). */
 size_t fuzz_meshbound(size_t n);
 

@@ -192,19 +192,25 @@ beside(const void *arg, const char *name, unsigned long long from, size_t want, 
 	return 0;
 }
 
+const MeshBeside *
+fuzz_beside(void)
+{
+	static const MeshBeside files = { beside, NULL };
+
+	left_beside = FUZZ_BESIDE;
+	return &files;
+}
+
 static void
 one(unsigned what, const uint8_t *data, size_t n, size_t most)
 {
-	enum { BESIDE = 2000 };         /* bytes of other files, at most */
-	const MeshBeside files = { beside, NULL };
 	const size_t before = fuzz_live();
 	Soup s;
 	int e;
 
 	fuzz_mark();
-	most += 16*BESIDE;
-	left_beside = BESIDE;
-	e = meshfile_parse_as(&s, data, n, &(MeshParse){ MOST, what, &files });
+	most += 16*FUZZ_BESIDE;
+	e = meshfile_parse_as(&s, data, n, &(MeshParse){ MOST, what, fuzz_beside() });
 	if (fuzz_peak() - before > most)
 		fprintf(stderr, "fuzz: %zu bytes for %zu, not %zu\n", fuzz_peak() - before, n, most);
 	fuzz_need(fuzz_peak() - before <= most, "too much memory");
