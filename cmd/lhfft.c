@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "shared/cmd.h"
+#include "shared/warped.h"
 #include "shared/place.h"
 #include "lhfft/scales.h"
 #include "lhfft/spectable.h"
@@ -99,6 +100,13 @@ write_scales(const CmdInput *in, Lhg *g, const Scales *s)
 	free(was);
 }
 
+static void
+say_warped(const CmdInput *in, const Lhg *g)
+{
+	if (warped_H(g))
+		note("%s: %s", in->name, warped_H(g));
+}
+
 int
 main(int argc, char *argv[])
 {
@@ -138,6 +146,7 @@ main(int argc, char *argv[])
 	cmd_open(&in, argv[optind]);
 	if (s.n > 1 || table) {
 		cmd_read_one(&in, &g);
+		say_warped(&in, &g);
 		scales_need(&in, &g);
 		if (table)
 			spectable_write(table, &in, &g, &s);
@@ -145,6 +154,7 @@ main(int argc, char *argv[])
 		lhg_free(&g);
 	} else
 		while (cmd_read(&in, &g)) {
+			say_warped(&in, &g);
 			scales_apply(&s, 0, scales_before(&g), &in, &g);
 			cmd_pass(&in, &g);
 			lhg_free(&g);

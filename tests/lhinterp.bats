@@ -1,4 +1,4 @@
-# lhinterp.bats - lhinterp: times, landmarks, alignment, scale, and the note on quarter turns.
+# lhinterp.bats - lhinterp: times, rules, weights, cap, landmarks, alignment, scale, history, and the note on quarter turns.
 
 load helper
 
@@ -11,6 +11,7 @@ setup_file() {
 	grid2lh --no-place "$tmp/a.phi" -o "$tmp/a"
 	grid2lh --no-place --residual "$tmp/a.phi" -o "$tmp/a.all"
 	grid2lh --no-place "$tmp/b.phi" -o "$tmp/b"
+	grid2lh --no-place --residual "$tmp/b.phi" -o "$tmp/b.all"
 	printf '0.3 0.5\n1 1.1 # a comment\n\n2.2, 2\n3\t2.9\r\n' >"$tmp/marks"
 }
 
@@ -231,4 +232,156 @@ assert det(a)*det(m) < 0' "$tmp/a" "$tmp/still"
 	python 'a, b = (read(f)[0] for f in sys.argv[1:])
 assert list(a.channels) == list(b.channels) and "nu1" in a.channels and "band.x" in a.channels
 for c in a.channels: assert np.abs(a[c] - b[c]).max() <= 1e-9*np.abs(a[c]).max(), c' "$tmp/one.lhg" "$tmp/scaled"
+}
+
+@test "--rule=linear is (1-t) A + t B, bit for bit, in every channel" {
+	for r in '' .all; do
+		lhinterp -q -t 0.3,0.7 --rule=linear "$tmp/a$r" "$tmp/b$r" -o "$tmp/linear"
+		python 'a, b = (read(f)[0] for f in sys.argv[1:3])
+for g in read(sys.argv[3]):
+    t = float(g.meta["t"])
+    assert g.T == (1 - t)*a.T + t*b.T
+    for c in a.channels: assert g[c].tobytes() == ((1 - t)*a[c] + t*b[c]).tobytes(), c' "$tmp/a$r" "$tmp/b$r" "$tmp/linear"
+	done
+}
+
+@test "by default log lambda and lambda^2 H are linear; with residual channels log g and lambda H" {
+	lhinterp -q -t 0.3 "$tmp/a" "$tmp/b" -o "$tmp/metric"
+	lhinterp -q -t 0.3 "$tmp/a.all" "$tmp/b.all" -o "$tmp/metric.all"
+	python 'a, b, g, aa, ba, ga = (read(f)[0] for f in sys.argv[1:])
+near = lambda x, y: abs(x - y).max() < 1e-11*abs(y).max()
+mean = lambda f: 0.7*f(a) + 0.3*f(b)
+assert near(np.log(g["lambda"]), mean(lambda x: np.log(x["lambda"])))
+assert near(g["lambda"]**2*g["H"], mean(lambda x: x["lambda"]**2*x["H"]))
+for c in set(a.channels) - {"lambda", "H"}: assert near(g[c], mean(lambda x: x[c])), c
+a, b = aa, ba
+def log(x):  # of the matrices of the metric
+    l = x["lambda"]**2
+    m = np.moveaxis(l*np.array([[1 + x["nu1"], x["nu2"]], [x["nu2"], 1 - x["nu1"]]]), (0, 1), (-2, -1))
+    w, q = np.linalg.eigh(m)
+    return q @ (np.log(w)[..., None]*np.swapaxes(q, -1, -2))
+assert abs(ba["nu2"]).max() > 1e-3
+assert near(log(ga), mean(log))
+assert near(ga["lambda"]*ga["H"], mean(lambda x: x["lambda"]*x["H"]))' "$tmp/a" "$tmp/b" "$tmp/metric" "$tmp/a.all" "$tmp/b.all" "$tmp/metric.all"
+	lhinterp -q -t 1,0 --cap "$tmp/a" "$tmp/b" -o "$tmp/ends"
+	equal "$tmp/a" "$tmp/ends"
+	lhinterp -q -t 0,1 "$tmp/a.all" "$tmp/b.all" -o "$tmp/ends"
+	equal "$tmp/b.all" "$tmp/ends"
+	python 'g = read(sys.argv[1])[0]; g["lambda"][3, 4] = 0; lhg.write(open(sys.argv[2], "wb"), [g])' "$tmp/a" "$tmp/zero"
+	try 1 'zero: lambda is 0 at node \(4,3\), must be positive' /dev/null lhinterp -t 0.5 "$tmp/a" "$tmp/zero"
+	try 0 '' /dev/null lhinterp -q -t 0.5 --rule=linear "$tmp/a" "$tmp/zero"
+	python 'g = read(sys.argv[1])[0]; del g.channels["tau2"]; lhg.write(open(sys.argv[2], "wb"), [g])' "$tmp/a.all" "$tmp/some"
+	try 1 'some: no channel tau2' /dev/null lhinterp -t 0.5 "$tmp/some" "$tmp/some"
+	try 2 'rule=cubic: need metric or linear' /dev/null lhinterp --rule=cubic -t 0.5 "$tmp/a" "$tmp/b"
+}
+
+@test "-w is the weighted mean of many; one weight is for all; weights below 0 exaggerate" {
+	mkmesh -n 800 face nose=1.3 | mesh2rect -q -n 24x20 --like="$tmp/a.phi" | grid2lh --no-place --residual -o "$tmp/c.all"
+	lhinterp -q -w 1,2,5 --rule=linear "$tmp/a.all" "$tmp/b.all" "$tmp/c.all" -o "$tmp/mean"
+	lhinterp -q -w 1,2,5 "$tmp/a.all" "$tmp/b.all" "$tmp/c.all" -o "$tmp/metric"
+	python 'a, b, c, g, m = (read(f)[0] for f in sys.argv[1:])
+assert g.meta["weights"] == "0.125,0.25,0.625" and "t" not in g.meta and g.frames == 1
+for n in a.channels: assert abs(g[n] - (a[n] + 2*b[n] + 5*c[n])/8).max() < 1e-14*abs(g[n]).max(), n
+s = lambda x: np.log(x["lambda"]) + np.log(1 - x["nu1"]**2 - x["nu2"]**2)/4
+assert abs(s(m) - (s(a) + 2*s(b) + 5*s(c))/8).max() < 1e-12
+assert abs(m["lambda"] - g["lambda"]).max() > 1e-4*abs(m["lambda"]).max()' "$tmp/a.all" "$tmp/b.all" "$tmp/c.all" "$tmp/mean" "$tmp/metric"
+	lhinterp -q --no-history -w 1 "$tmp/a" "$tmp/b" "$tmp/a" -o "$tmp/one"
+	lhinterp -q --no-history -w 3,3,3 "$tmp/a" "$tmp/b" "$tmp/a" -o "$tmp/three"
+	cmp "$tmp/one" "$tmp/three"
+	lhinterp -q -w 0,7 "$tmp/a" "$tmp/b" -o "$tmp/end"
+	equal "$tmp/b" "$tmp/end"
+	lhinterp -q -w 7,3 "$tmp/a" "$tmp/b" -o "$tmp/w"
+	lhinterp -q -t 0.3 "$tmp/a" "$tmp/b" -o "$tmp/t"
+	equal "$tmp/w" "$tmp/t"
+	# beyond A, as far again as from the middle to A; a blend with B leads back to A
+	lhinterp -q -w 1.5,-0.5 "$tmp/a.all" "$tmp/b.all" -o "$tmp/beyond"
+	lhinterp -q -w 2,1 "$tmp/beyond" "$tmp/b.all" -o "$tmp/back"
+	python 'a, g = (read(f)[0] for f in sys.argv[1:])
+for c in a.channels: assert abs(a[c] - g[c]).max() < 1e-11*abs(a[c]).max(), c' "$tmp/a.all" "$tmp/back"
+	# each grid is checked, scaled and moved
+	mkmesh -n 200 cap | mesh2rect -q -n 8 | grid2lh -o "$tmp/small"
+	try 1 'small has 9 x 9'                         /dev/null lhinterp -q -w 1 "$tmp/a" "$tmp/b" "$tmp/small"
+	try 1 'has a channel nu1, .* has none'          /dev/null lhinterp -q -w 1 "$tmp/a" "$tmp/b" "$tmp/a.all"
+	python 'g = read(sys.argv[1])[0]
+R = 3*np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0], [0.48, 0.64, 0.6]])
+for n in "band.", "start.":
+    x = R @ np.stack([g[n + c] for c in "xyz"]) + np.array([[5], [-7], [11]])
+    for k, c in enumerate("xyz"): g[n + c][...] = x[k]
+g["lambda"][:] *= 3; g["H"][:] /= 3
+lhg.write(open(sys.argv[2], "wb"), [g])' "$tmp/b" "$tmp/away"
+	lhinterp -q -w 1,1,2 "$tmp/a" "$tmp/a" "$tmp/b" --align --scale -o "$tmp/here"
+	lhinterp -q -w 1,1,2 "$tmp/a" "$tmp/a" "$tmp/away" --align --scale -o "$tmp/there"
+	python 'a, b = (read(f)[0] for f in sys.argv[1:])
+for c in a.channels: assert abs(a[c] - b[c]).max() < 1e-9*abs(a[c]).max(), c' "$tmp/here" "$tmp/there"
+	try 2 '2 weights for 3 grids'                   /dev/null lhinterp -w 1,1 a b c
+	try 2 'the sum of the weights is 0, must be positive' /dev/null lhinterp -w 1,-2,1 a b c
+	try 2 'the sum of the weights is -1'            /dev/null lhinterp -w 1,-2 a b
+	try 2 'landmarks is for -t and -n'              /dev/null lhinterp -w 1 --landmarks=x a b
+	try 2 'ease is for -t and -n'                   /dev/null lhinterp -w 1 --ease a b
+	try 2 'need either'                             /dev/null lhinterp -w 1 -t 0.5 a b
+	try 1 'the weights give (lambda|a height T)'    /dev/null lhinterp -q -w 900,-899 --rule=linear "$tmp/a" "$tmp/b"
+}
+
+@test "the history of a mean has the steps of all, and lhinfo --history makes it again" {
+	local home=$PWD
+	cd "$tmp"
+	lhinterp -q -w 1,2,1 a b a -o m3
+	lhinterp -q -t 0.5 m3 b -o m4
+	lhinfo m4 | awk '$1 == "history" { print $2, $3, $4 }' | grep -c '^A: [ABC]: mesh2rect$\|^B: mesh2rect --cells' | grep -qx 4
+	lhinfo --history m4 >script
+	sh script >again 2>"$tmp/err"
+	(cd "$home" && equal "$tmp/m4" "$tmp/again")
+	lhinterp --no-history -t 1 a b -o bare
+	for w in 'bare a a' 'a bare a' 'a a bare'; do
+		lhinterp -q -w 1 $w -o half
+		try 1 'half: an input of a merge has no history' /dev/null lhinfo --history half
+	done
+	lhinterp -q -w 1 $(for i in $(seq 30); do echo a; done) -o many
+	lhinfo many | grep -q 'history AD: grid2lh'
+	[ "$(lhinfo --history many | grep -c mesh2rect)" = 30 ]
+}
+
+@test "K above H^2 is noted and --cap lowers lambda there, lambda^2 H stays; a face gets no note" {
+	# a dome that becomes a bowl, with the same lambda
+	mkmesh -n 900 cap angle=80 | mesh2rect -q -n 32 | grid2lh --no-place -o "$tmp/dome"
+	python 'g = read(sys.argv[1])[0]
+g["H"][:] *= -1
+for n in "band.", "start.": g[n + "z"][...] *= -1
+lhg.write(open(sys.argv[2], "wb"), [g])' "$tmp/dome" "$tmp/bowl"
+	try 0 'frame 3 asks for K > H\^2, .* an integral of [1-9].* beyond .*--cap' /dev/null lhinterp -n 5 "$tmp/dome" "$tmp/bowl"
+	try 0 '' /dev/null lhinterp --cap -n 5 "$tmp/dome" "$tmp/bowl"
+	try 0 '' /dev/null lhinterp -n 5 "$tmp/a" "$tmp/b"
+	lhinterp --cap -t 0,0.5,1 "$tmp/dome" "$tmp/bowl" -o "$tmp/capped"
+	lhinterp -q -t 0.5 "$tmp/dome" "$tmp/bowl" -o "$tmp/plain"
+	python 'c, p, d = read(sys.argv[1]), read(sys.argv[2])[0], read(sys.argv[3])[0]
+for x in "lambda", "H": assert c[0][x].tobytes() == d[x].tobytes()
+q = c[1]["lambda"]/p["lambda"]
+assert q.max() <= 1 and q.min() < 0.9
+assert (q[[0, -1]] == 1).all() and (q[:, [0, -1]] == 1).all()
+assert abs(c[1]["lambda"]**2*c[1]["H"] - p["lambda"]**2*p["H"]).max() < 1e-12
+def excess(g):
+    l = np.log(g["lambda"]); h, k = 1/(g.nu - 1), g.T/(g.nv - 1)
+    K = -(l[1:-1, 2:] - 2*l[1:-1, 1:-1] + l[1:-1, :-2])/h**2 - (l[2:, 1:-1] - 2*l[1:-1, 1:-1] + l[:-2, 1:-1])/k**2
+    return np.maximum(K - (g["lambda"]*g["H"])[1:-1, 1:-1]**2, 0)[6:-6, 6:-6].sum()*h*k
+assert excess(c[1]) < 0.6*excess(p)' "$tmp/capped" "$tmp/plain" "$tmp/dome"
+	try 1 'has residual channels, --cap is for grids without' /dev/null lhinterp --cap -t 0.5 "$tmp/a.all" "$tmp/b.all"
+}
+
+@test "a warped grid keeps its mark in blends, and lhinfo, lhfft and grid2lh say what H is" {
+	python 'g = read(sys.argv[1])[0]; g.meta["warped"] = sys.argv[3]; lhg.write(open(sys.argv[2], "wb"), [g])' "$tmp/b" "$tmp/far" '0.1 0.5'
+	python 'g = read(sys.argv[1])[0]; g.meta["warped"] = sys.argv[3]; lhg.write(open(sys.argv[2], "wb"), [g])' "$tmp/b" "$tmp/near" '0.2 0.3'
+	lhinterp -q -t 0,0.5,1 "$tmp/a" "$tmp/far" -o "$tmp/some"
+	lhinterp -q -w 1,1,1 "$tmp/a" "$tmp/near" "$tmp/far" -o "$tmp/both"
+	lhinterp -q -w 1,1,0 "$tmp/a" "$tmp/near" "$tmp/far" -o "$tmp/first"
+	python 'some, both, first = map(read, sys.argv[1:])
+assert [g.meta.get("warped") for g in some] == [None, "0.1 0.5", "0.1 0.5"]
+assert both[0].meta["warped"] == "0.1 0.5" and first[0].meta["warped"] == "0.2 0.3"' "$tmp/some" "$tmp/both" "$tmp/first"
+	lhinfo "$tmp/far" | grep -qx '  note the grid is warped, so H is (L+N)/(2 lambda^2) and not the mean curvature'
+	run ! grep note <(lhinfo "$tmp/b")
+	try 0 'far: the grid is warped, so H is .*not the mean curvature' /dev/null lhfft -K 1 "$tmp/far"
+	try 0 '' /dev/null lhfft -K 1 "$tmp/b"
+	lhinfo "$tmp/b.phi" | grep -q warped && false
+	python 'g = read(sys.argv[1])[0]; g.meta["warped"] = "0.1 0.5"; lhg.write(open(sys.argv[2], "wb"), [g])' "$tmp/b.phi" "$tmp/far.phi"
+	grid2lh -v "$tmp/far.phi" 2>"$tmp/said" >/dev/null
+	grep -q 'far.phi: the grid is warped, so H is' "$tmp/said"
 }

@@ -9,6 +9,7 @@
 #include "../shared/exact.h"
 #include "../shared/place.h"
 #include "../shared/range.h"
+#include "../shared/warped.h"
 #include "lhchannels.h"
 
 enum { BAND = 3 };      /* rings that the frame method of lh2grid needs */
@@ -88,6 +89,8 @@ lhchannels(const CmdInput *in, Lhg *g, int curvature, int lattice, int place, in
 	flaws = lambdah(chart, phi, curvature, lambda, H);
 	if (!(lambda[0] > 0))
 		die("%s: the surface has no extent", in->name);
+	if (warped_H(g))
+		detail("%s: %s", in->name, warped_H(g));
 	if (flaws.raised)
 		detail("%s: %d of %d nodes have almost no tangent plane", in->name, flaws.raised, g->nu*g->nv);
 	if (flaws.parallel)

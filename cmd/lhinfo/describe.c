@@ -5,6 +5,7 @@
 #include "describe.h"
 #include "spread.h"
 #include "../shared/json.h"
+#include "../shared/warped.h"
 
 static const char *const support[] = { "grid", "border", "lattice" };
 
@@ -116,5 +117,7 @@ describe_text(FILE *f, const char *name, const Lhg *g, int stats)
 		}
 	}
 	print_lines(f, "meta", g->meta);
+	if (warped_H(g) && lhg_find(g, "H"))
+		fprintf(f, "  note %s\n", warped_H(g));
 	print_lines(f, "history", g->hist);
 }

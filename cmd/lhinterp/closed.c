@@ -82,7 +82,7 @@ fit(const Lhg *g, const Nodes *a, const Nodes *b, int k, Rigid *r)
 }
 
 static void
-check_cones(const Morph *m, const Nodes *a, const Nodes *b, int aligned)
+check_cones(const Source *A, const Nodes *a, const Source *B, const Nodes *b, int aligned)
 {
 	static const char *const how[TURNS] = { "", "2,1,4,3", "3,4,1,2", "4,3,2,1" };
 	double rms[TURNS], angle[TURNS];
@@ -90,36 +90,36 @@ check_cones(const Morph *m, const Nodes *a, const Nodes *b, int aligned)
 	Rigid r;
 
 	for (k = 0; k < TURNS; k++) {
-		rms[k] = fit(&m->a, a, b, k, &r);
+		rms[k] = fit(&A->g, a, b, k, &r);
 		angle[k] = rms[k] < HUGE_VAL ? rigid_angle(&r) : M_PI;
 	}
 	best = turns_better(rms, angle, aligned);
 	if (best)
 		note("%s fits %s better with its cones in the order %s (mesh2rect --like): the surfaces are then %.2g of their "
-		    "size apart after a rotation by %.0f degrees, now %.2g after %.0f", m->B.name, m->A.name, how[best], rms[best],
+		    "size apart after a rotation by %.0f degrees, now %.2g after %.0f", B->in.name, A->in.name, how[best], rms[best],
 		    angle[best]*180/M_PI, rms[0], angle[0]*180/M_PI);
 }
 
 void
-closed_fit(Morph *m, int aligned)
+closed_fit(const Source *A, Source *B, int aligned)
 {
 	Nodes a = { 0 }, b = { 0 };
 	double rms;
 	Rigid r;
 
-	if (nodes_init(&a, &m->a) && nodes_init(&b, &m->b)) {
-		check_cones(m, &a, &b, aligned);
-		rms = fit(&m->a, &a, &b, 0, &r);
+	if (nodes_init(&a, &A->g) && nodes_init(&b, &B->g)) {
+		check_cones(A, &a, B, &b, aligned);
+		rms = fit(&A->g, &a, &b, 0, &r);
 		if (aligned && !(rms < HUGE_VAL))
-			die("%s cannot be moved onto %s", m->B.name, m->A.name);
+			die("%s cannot be moved onto %s", B->in.name, A->in.name);
 		if (aligned) {
-			positions_move(&m->b, &r);
-			detail("%s turned by %.4g degrees and moved by (%g,%g,%g): nodes %.3g of the size apart (rms)", m->B.name,
+			positions_move(&B->g, &r);
+			detail("%s turned by %.4g degrees and moved by (%g,%g,%g): nodes %.3g of the size apart (rms)", B->in.name,
 			    rigid_angle(&r)*180/M_PI, r.t[0], r.t[1], r.t[2], rms);
 		}
 	} else if (aligned)
 		die("%s: --align needs the channels start.x start.y start.z: run grid2lh without --no-lattice",
-			a.x ? m->B.name : m->A.name);
+			a.x ? B->in.name : A->in.name);
 	free(a.x);
 	free(b.x);
 }

@@ -1,33 +1,33 @@
-/* morph.c - interpolation between two grids and their borders. */
+/* morph.c - the grids of lhinterp, brought into line with the first, and their blends. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "../../lib/morph/blend.h"
 #include "../shared/borderread.h"
 #include "../shared/chartof.h"
 #include "../shared/place.h"
 #include "closed.h"
 #include "landfile.h"
 #include "merge.h"
+#include "mix.h"
 #include "morph.h"
 #include "positions.h"
 #include "quarters.h"
 #include "size.h"
 
 static void
-check_channels(const Morph *m)
+check_channels(const Source *a, const Source *b)
 {
-	const char *A = m->A.name, *B = m->B.name;
+	const char *A = a->in.name, *B = b->in.name;
 	const LhgChannel *c, *d;
 	int i;
 
-	for (i = 0; i < m->b.nchan; i++)
-		if (!lhg_find(&m->a, m->b.chan[i].name))
-			die("%s has a channel %s, %s has none", B, m->b.chan[i].name, A);
-	for (i = 0; i < m->a.nchan; i++) {
-		c = &m->a.chan[i];
-		d = lhg_find(&m->b, c->name);
+	for (i = 0; i < b->g.nchan; i++)
+		if (!lhg_find(&a->g, b->g.chan[i].name))
+			die("%s has a channel %s, %s has none", B, b->g.chan[i].name, A);
+	for (i = 0; i < a->g.nchan; i++) {
+		c = &a->g.chan[i];
+		d = lhg_find(&b->g, c->name);
 		if (!d)
 			die("%s has a channel %s, %s has none", A, c->name, B);
 		if (d->support != c->support || d->step != c->step)
@@ -37,72 +37,91 @@ check_channels(const Morph *m)
 	}
 }
 
-/* Moves B rigidly onto A, by least squares over corresponding points. */
 static void
-align(Morph *m)
+check_nodes(const Source *a, const Source *b)
 {
-	double *w = cmd_alloc(m->match.n, sizeof *w), rms;
+	if (a->g.chart != b->g.chart)
+		die("%s is on a %s, %s on a %s: mesh2rect --chart=%s", a->in.name, lhg_chartname(a->g.chart), b->in.name,
+			lhg_chartname(b->g.chart), lhg_chartname(a->g.chart));
+	if (a->g.nu != b->g.nu || a->g.nv != b->g.nv)
+		die("%s has %d x %d nodes, %s has %d x %d", a->in.name, a->g.nu, a->g.nv, b->in.name, b->g.nu, b->g.nv);
+}
+
+/* Moves b rigidly onto the first grid, by least squares over corresponding points. */
+static void
+align(const Source *a, Source *b)
+{
+	double *w = cmd_alloc(b->match.n, sizeof *w), rms;
 	Rigid r;
 
-	matching_weights(&m->match, w);
-	if (procrustes(m->match.n, w, m->match.x[0], m->match.x[1], &r, &rms))
-		die("%s cannot be moved onto %s", m->B.name, m->A.name);
-	positions_move(&m->b, &r);
-	rigid_move(&r, m->match.n, m->match.x[1]);
-	rigid_move(&r, m->border[1].n, m->border[1].x);
-	detail("%s turned by %.4g degrees and moved by (%g,%g,%g): boundaries %.3g apart (rms)", m->B.name,
+	matching_weights(&b->match, w);
+	if (procrustes(b->match.n, w, b->match.x[0], b->match.x[1], &r, &rms))
+		die("%s cannot be moved onto %s", b->in.name, a->in.name);
+	positions_move(&b->g, &r);
+	rigid_move(&r, b->match.n, b->match.x[1]);
+	rigid_move(&r, b->border.n, b->border.x);
+	detail("%s turned by %.4g degrees and moved by (%g,%g,%g): boundaries %.3g apart (rms)", b->in.name,
 	    rigid_angle(&r)*180/M_PI, r.t[0], r.t[1], r.t[2], rms);
 	free(w);
 }
 
 static void
-match(Morph *m, const char *landmarks)
+match(const Source *a, Source *b, const char *landmarks)
 {
-	m->landmarks = landmarks != NULL;
-	border_read(&m->A, &m->a, &m->border[0]);
-	border_read(&m->B, &m->b, &m->border[1]);
+	border_read(&b->in, &b->g, &b->border);
 	if (landmarks)
-		landfile_match(landmarks, &m->border[0], &m->border[1], &m->match);
-	else if (matching_conformal(&m->match, &m->border[0], &m->border[1]))
+		landfile_match(landmarks, &a->border, &b->border, &b->match);
+	else if (matching_conformal(&b->match, &a->border, &b->border))
 		die("no memory for the borders");
 }
 
-void
-morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks, int scaled,
-	int aligned)
+/* Checks that b fits the first grid; scales and moves it as the options ask. */
+static void
+bring_in_line(const Morph *m, Source *b)
 {
-	int closed;
+	const Source *a = m->s;
 
-	memset(m, 0, sizeof *m);
-	cmd_open(&m->A, pathA);
-	cmd_read_one(&m->A, &m->a);
-	cmd_open(&m->B, pathB);
-	cmd_read_one(&m->B, &m->b);
-	if (m->a.chart != m->b.chart)
-		die("%s is on a %s, %s on a %s: mesh2rect --chart=%s", m->A.name, lhg_chartname(m->a.chart), m->B.name,
-			lhg_chartname(m->b.chart), lhg_chartname(m->a.chart));
-	if (m->a.nu != m->b.nu || m->a.nv != m->b.nv)
-		die("%s has %d x %d nodes, %s has %d x %d", m->A.name, m->a.nu, m->a.nv, m->B.name, m->b.nu, m->b.nv);
-	place_drop(&m->a);      /* a blend of positions is not a filtered surface */
-	place_drop(&m->b);
-	cmd_need(&m->A, &m->a, "lambda", LHG_GRID);
-	cmd_need(&m->A, &m->a, "H", LHG_GRID);
-	check_channels(m);
-	closed = chart_of(&m->a).kind->closed;
-	if (closed && landmarks)
-		die("%s: a %s has no boundary for --landmarks", m->A.name, lhg_chartname(m->a.chart));
-	m->has_border = !closed && (landmarks || aligned || lhg_find(&m->a, "band.x"));
+	check_nodes(a, b);
+	place_drop(&b->g);
+	check_channels(a, b);
 	if (m->has_border)
-		match(m, landmarks);
-	size_match(m, scaled);
-	if (closed)
-		closed_fit(m, aligned);
+		match(a, b, m->o->landmarks);
+	size_match(a, b, m->o->scale);
+	if (chart_of(&a->g).kind->closed)
+		closed_fit(a, b, m->o->align);
 	if (!m->has_border)
 		return;
-	if (!landmarks && m->a.chart == LHG_RECTANGLE)
-		quarters_check(&m->A, &m->border[0], &m->B, &m->border[1], aligned);
-	if (aligned)
-		align(m);
+	if (!m->o->landmarks && a->g.chart == LHG_RECTANGLE)
+		quarters_check(&a->in, &a->border, &b->in, &b->border, m->o->align);
+	if (m->o->align)
+		align(a, b);
+}
+
+void
+morph_open(Morph *m, int n, char *const path[], const MorphOptions *o)
+{
+	int k, closed;
+
+	*m = (Morph){ .o = o, .n = n, .s = cmd_alloc(n, sizeof *m->s) };
+	memset(m->s, 0, n*sizeof *m->s);
+	for (k = 0; k < n; k++) {
+		cmd_open(&m->s[k].in, path[k]);
+		cmd_read_one(&m->s[k].in, &m->s[k].g);
+		if (k)
+			check_nodes(m->s, &m->s[k]);
+	}
+	place_drop(&m->s->g);           /* a blend of positions is not a filtered surface */
+	cmd_need(&m->s->in, &m->s->g, "lambda", LHG_GRID);
+	cmd_need(&m->s->in, &m->s->g, "H", LHG_GRID);
+	closed = chart_of(&m->s->g).kind->closed;
+	if (closed && o->landmarks)
+		die("%s: a %s has no boundary for --landmarks", m->s->in.name, lhg_chartname(m->s->g.chart));
+	m->has_border = !closed && (o->landmarks || o->align || lhg_find(&m->s->g, "band.x"));
+	if (m->has_border)
+		border_read(&m->s->in, &m->s->g, &m->s->border);
+	for (k = 1; k < n; k++)
+		bring_in_line(m, &m->s[k]);
+	mix_begin(m);
 }
 
 /* The border of g was interpolated between the points of A and B at the same (u,v).  Moves it to the
@@ -110,12 +129,12 @@ morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks
 static void
 follow_landmarks(const Morph *m, double t, Lhg *g)
 {
-	const Border *a = &m->border[0], *b = &m->border[1];
+	const Border *a = &m->s[0].border, *b = &m->s[1].border;
 	double *d = cmd_alloc(a->n, 3*sizeof *d);
 	int k, c;
 
 	for (k = 0; k < a->n; k++) {
-		matching_at(&m->match, t, border_place(a, k), d + 3*k);
+		matching_at(&m->s[1].match, t, border_place(a, k), d + 3*k);
 		for (c = 0; c < 3; c++)
 			d[3*k+c] -= (1 - t)*a->x[3*k+c] + t*b->x[3*k+c];
 	}
@@ -124,32 +143,30 @@ follow_landmarks(const Morph *m, double t, Lhg *g)
 }
 
 void
-morph_at(const Morph *m, double t, int k, int n, Lhg *g)
+morph_blend(Morph *m, const double *w, int k, int frames, Lhg *g)
 {
-	const LhgChannel *c;
-	int i;
-
-	lhg_init(g, m->a.nu, m->a.nv, m->a.T);
-	g->chart = m->a.chart;
-	blend(1, t, &m->a.T, &m->b.T, &g->T);
-	for (i = 0; i < m->a.nchan; i++) {
-		c = &m->a.chan[i];
-		blend(c->n, t, c->f, lhg_find(&m->b, c->name)->f, cmd_add(g, c->name, c->unit, c->support, c->step));
-	}
-	if (m->landmarks && t > 0 && t < 1)
-		follow_landmarks(m, t, g);
-	merge_text(&m->a, &m->b, g);
-	cmd_meta(g, "t", "%.10g", t);
+	lhg_init(g, m->s->g.nu, m->s->g.nv, m->s->g.T);
+	g->chart = m->s->g.chart;
+	mix_channels(m, w, k, g);
+	if (m->o->landmarks && w[1] > 0 && w[1] < 1)
+		follow_landmarks(m, w[1], g);
+	merge_text(m, w, g);
 	g->frame = k;
-	g->frames = n;
+	g->frames = frames;
 }
 
 void
-morph_free(Morph *m)
+morph_close(Morph *m)
 {
-	lhg_free(&m->a);
-	lhg_free(&m->b);
-	border_free(&m->border[0]);
-	border_free(&m->border[1]);
-	matching_free(&m->match);
+	Source *s;
+
+	mix_note(m);
+	for (s = m->s; s < m->s + m->n; s++) {
+		lhg_free(&s->g);
+		border_free(&s->border);
+		matching_free(&s->match);
+		free(s->excess);
+	}
+	free(m->s);
+	free(m->work);
 }

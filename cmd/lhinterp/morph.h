@@ -1,26 +1,49 @@
-/* morph.h - the two grids of lhinterp and the interpolation between them. */
+/* morph.h - the grids of lhinterp and their blends. */
 #ifndef CMD_MORPH_H
 #define CMD_MORPH_H
 
 #include "../../lib/morph/matching.h"
 #include "../shared/cmd.h"
 
+enum { MORPH_MOST = CMD_MOST_MARKS };     /* grids */
+
+/* The rules for lambda, H and the residual channels, in the order of the words of --rule. */
+enum { MORPH_METRIC, MORPH_LINEAR };
+
+/* One of the grids, brought into line with the first. */
+typedef struct Source {
+	CmdInput in;
+	Lhg      g;
+	Border   border;        /* if Morph.has_border */
+	Matching match;         /* likewise: with the border of the first grid; not of the first itself */
+	double  *excess;        /* [nv][nu] (cap.h), or NULL */
+} Source;
+
+typedef struct MorphOptions {
+	const char *landmarks;  /* a file, or NULL; for two grids */
+	int scale, align, cap;  /* whether --scale, --align, --cap are given */
+	int rule;
+} MorphOptions;
+
 typedef struct Morph {
-	CmdInput A, B;
-	Lhg      a, b;
-	int      has_border, landmarks; /* 1: border and match are set; 1: match comes from landmarks */
-	Border   border[2];
-	Matching match;
+	const MorphOptions *o;
+	int     n;
+	Source *s;              /* [n] */
+	int     has_border;
+	int     residual;       /* 1: the grids have residual channels */
+	double *work;           /* [nv][nu] for excesses, two of them, or NULL */
+	double  most;           /* the largest integral of excess beyond the grids' own, of the blends so far, */
+	int     worst;          /* and its frame */
 } Morph;
 
-/* Read both grids, or die if they do not fit each other.  landmarks: a file, or NULL; scaled,
- * aligned: whether --scale and --align are given. */
-void morph_open(Morph *m, const char *pathA, const char *pathB, const char *landmarks, int scaled,
-	int aligned);
+/* Read n >= 2 grids, or die if they do not fit each other. */
+void morph_open(Morph *m, int n, char *const path[], const MorphOptions *o);
 
-/* The grid at t, 0 .. 1, frame k of n. */
-void morph_at(const Morph *m, double t, int k, int n, Lhg *g);
+/* The blend with these weights, whose sum is 1, as frame k of frames.  It has the metadata that all grids
+ * have in common; the caller adds those of the parameter. */
+void morph_blend(Morph *m, const double *w, int k, int frames, Lhg *g);
 
-void morph_free(Morph *m);
+/* Prints the note about the excess, if there is one, and frees m. */
+void morph_close(Morph *m);
 
 #endif

@@ -1,4 +1,4 @@
-/* size.c - the area of a surface from lambda; scales B to the area of A. */
+/* size.c - the area of a surface from lambda; scales a grid to the area of the first. */
 #include <math.h>
 #include <string.h>
 
@@ -44,22 +44,22 @@ scale_channels(Lhg *g, double s)
 }
 
 void
-size_match(Morph *m, int scaled)
+size_match(const Source *a, Source *b, int scaled)
 {
-	double a = size_of(&m->a), b = size_of(&m->b), s = a/b;
+	double s = size_of(&a->g)/size_of(&b->g);
+	const char *A = a->in.name, *B = b->in.name;
 
 	if (!scaled) {
 		if (!(s <= APART && s >= 1/APART))
 			note("%s is %.3g times as large as %s: surfaces between them are poor (--scale brings %s to "
-			    "the area of %s)", s > 1 ? m->A.name : m->B.name, s > 1 ? s : 1/s,
-			    s > 1 ? m->B.name : m->A.name, m->B.name, m->A.name);
+			    "the area of %s)", s > 1 ? A : B, s > 1 ? s : 1/s, s > 1 ? B : A, B, A);
 		return;
 	}
-	detail("%s is multiplied by %.6g", m->B.name, s);
-	scale_channels(&m->b, s);
-	if (m->has_border) {
-		field_scale(3*(size_t)m->border[1].n, s, m->border[1].x, m->border[1].x);
-		field_scale((size_t)m->border[1].n + 1, s, m->border[1].s, m->border[1].s);
-		field_scale(3*(size_t)m->match.n, s, m->match.x[1], m->match.x[1]);
+	detail("%s is multiplied by %.6g", B, s);
+	scale_channels(&b->g, s);
+	if (b->border.n) {
+		field_scale(3*(size_t)b->border.n, s, b->border.x, b->border.x);
+		field_scale((size_t)b->border.n + 1, s, b->border.s, b->border.s);
+		field_scale(3*(size_t)b->match.n, s, b->match.x[1], b->match.x[1]);
 	}
 }

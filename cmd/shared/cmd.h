@@ -66,6 +66,11 @@ long   opt_long(const char *s, long lo, long hi, const char *option);
  * word of the list, exits 2 with the list in the message. */
 int    opt_word(const char *s, const char *words, const char *option);
 
+/* The mark in front of each step of input k of a merge in the history of the result: "A: ", .., "Z: ", "AA: ",
+ * .., for k < 26*27. */
+enum { CMD_MARKLEN = 5, CMD_MOST_MARKS = 26*27 };
+void cmd_mark(int k, char mark[CMD_MARKLEN]);
+
 /* The FILE of the option -o; NULL for stdout. */
 const char *cmd_output(void);
 

@@ -25,7 +25,8 @@ static struct {
 typedef struct Line {
 	const char *s;
 	size_t n;               /* bytes, with the LF */
-	int    age;             /* number of its marks "A: " and "B: ", one for each merge */
+	int    age;             /* number of its marks "A: ", "B: ", .., "AA: ", .., one for each merge */
+	size_t marks;           /* bytes of these */
 } Line;
 
 void
@@ -95,13 +96,31 @@ history_word(const char *dashes, const char *word, const char *equals, const cha
 static int
 is_summary(const Line *l, unsigned long *counted)
 {
-	const char *s = l->s + 3*l->age;
+	const char *s = l->s + l->marks;
 
 	*counted = 1;
 	if (strncmp(s, SUMMARY, strlen(SUMMARY)) != 0)
 		return 0;
 	*counted = strtoul(s + strlen(SUMMARY), NULL, 10);
 	return 1;
+}
+
+void
+cmd_mark(int k, char mark[CMD_MARKLEN])
+{
+	if (k < 26)
+		snprintf(mark, CMD_MARKLEN, "%c: ", 'A' + k);
+	else
+		snprintf(mark, CMD_MARKLEN, "%c%c: ", 'A' + (k/26 - 1)%26, 'A' + k%26);
+}
+
+/* The bytes of the mark at s, "A: " to "ZZ: ", or 0. */
+static size_t
+mark_at(const char *s)
+{
+	size_t n = strspn(s, "ABCDEFGHIJKLMNOPQRSTUVWXYZ");
+
+	return (n == 1 || n == 2) && strncmp(s + n, ": ", 2) == 0 ? n + 2 : 0;
 }
 
 /* The *n lines of text, as an array to be freed. */
@@ -116,8 +135,8 @@ split(const char *text, size_t *n)
 		most += *s == '\n';
 	l = cmd_alloc(most, sizeof *l);
 	for (s = text, *n = 0; *n < most; s += l[(*n)++].n) {
-		l[*n] = (Line){ s, strcspn(s, "\n") + 1, 0 };
-		for (i = 0; strncmp(s + i, "A: ", 3) == 0 || strncmp(s + i, "B: ", 3) == 0; i += 3)
+		l[*n] = (Line){ .s = s, .n = strcspn(s, "\n") + 1 };
+		for (; (i = mark_at(s + l[*n].marks)) > 0; l[*n].marks += i)
 			l[*n].age++;
 	}
 	return l;

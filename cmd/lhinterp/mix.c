@@ -1,0 +1,196 @@
+/* mix.c - the channels of a blend: lambda, H and residual channels by the rule, others linearly. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../../lib/base/field.h"
+#include "../../lib/morph/blend.h"
+#include "../../lib/morph/blendmetric.h"
+#include "../../lib/morph/cap.h"
+#include "../shared/chartof.h"
+#include "../shared/range.h"
+#include "mix.h"
+
+static const char *const BY_RULE[] = { "lambda", "H", "nu1", "nu2", "tau1", "tau2" };
+enum { FIELDS = sizeof BY_RULE/sizeof *BY_RULE };
+
+static const double FAR = 1;    /* excess beyond the grids' that is noted; jumps were seen from 1.3 on, none
+                                 * below 0.8.  A round sphere with H = 0 has 4 pi */
+
+static int
+is_by_rule(const char *name)
+{
+	int i;
+
+	for (i = 0; i < FIELDS; i++)
+		if (strcmp(name, BY_RULE[i]) == 0)
+			return 1;
+	return 0;
+}
+
+static Metric
+metric_of(const Morph *m, const Lhg *g)
+{
+	Metric f = { .g = chart_of(g), .lambda = lhg_find(g, "lambda")->f, .H = lhg_find(g, "H")->f };
+	int c;
+
+	for (c = 0; c < 2 && m->residual; c++) {
+		f.nu[c] = lhg_find(g, BY_RULE[2+c])->f;
+		f.tau[c] = lhg_find(g, BY_RULE[4+c])->f;
+	}
+	return f;
+}
+
+static void
+excess_of(const Lhg *g, double *x)
+{
+	if (cap_excess(chart_of(g), lhg_find(g, "lambda")->f, lhg_find(g, "H")->f, x))
+		die("no memory for the excess of %d x %d nodes", g->nu, g->nv);
+}
+
+static void
+check_ranges(const Source *s)
+{
+	int i;
+
+	range_height(&s->in, &s->g);
+	range_lambda_h(&s->in, &s->g, lhg_find(&s->g, "lambda")->f, lhg_find(&s->g, "H")->f);
+	for (i = 2; i < FIELDS; i++)
+		range_channel(&s->in, &s->g, BY_RULE[i]);
+}
+
+/* Whether the excess is computed: it is one of lambda and H of a conformal grid. */
+static int
+watches(const Morph *m)
+{
+	return !m->residual && (m->o->cap || m->o->rule == MORPH_METRIC);
+}
+
+void
+mix_begin(Morph *m)
+{
+	Source *s;
+	int i;
+
+	m->residual = 0;
+	for (i = 2; i < FIELDS; i++)
+		m->residual |= lhg_find(&m->s->g, BY_RULE[i]) != NULL;
+	for (i = 2; i < FIELDS && m->residual && m->o->rule != MORPH_LINEAR; i++)
+		cmd_need(&m->s->in, &m->s->g, BY_RULE[i], LHG_GRID);
+	if (m->o->cap && m->residual)
+		die("%s has residual channels, --cap is for grids without: grid2lh without --residual", m->s->in.name);
+	for (s = m->s; s < m->s + m->n && (m->o->cap || m->o->rule != MORPH_LINEAR); s++)
+		check_ranges(s);
+	if (!watches(m))
+		return;
+	m->work = cmd_alloc(2*(size_t)m->s->g.nu*m->s->g.nv, sizeof *m->work);
+	for (s = m->s; s < m->s + m->n; s++) {
+		s->excess = cmd_alloc((size_t)s->g.nu*s->g.nv, sizeof *s->excess);
+		excess_of(&s->g, s->excess);
+	}
+}
+
+/* The channel `name` of all grids, summed with the weights. */
+static void
+sum_channel(const Morph *m, const double *w, const LhgChannel *c, double *f)
+{
+	const double **of = cmd_alloc(m->n, sizeof *of);
+	int k;
+
+	for (k = 0; k < m->n; k++)
+		of[k] = lhg_find(&m->s[k].g, c->name)->f;
+	blend(c->n, m->n, w, of, f);
+	free(of);
+}
+
+static void
+mix_metric(const Morph *m, const double *w, Lhg *g)
+{
+	Metric *of = cmd_alloc(m->n, sizeof *of), to = metric_of(m, g);
+	int k;
+
+	for (k = 0; k < m->n; k++)
+		of[k] = metric_of(m, &m->s[k].g);
+	blendmetric(m->n, w, of, &to);
+	free(of);
+}
+
+/* Sets f to the excess that the weights give the grids, without those below 0. */
+static void
+blend_excess(const Morph *m, const double *w, size_t n, double *f)
+{
+	int k;
+
+	memset(f, 0, n*sizeof *f);
+	for (k = 0; k < m->n; k++)
+		if (w[k] > 0)
+			field_add(n, w[k], m->s[k].excess, f);
+}
+
+/* Compares the excess of g, frame k, with those of the grids; with --cap lowers lambda. */
+static void
+watch(Morph *m, const double *w, int k, Lhg *g)
+{
+	size_t n = (size_t)g->nu*g->nv, p;
+	double *x = m->work, *allowed = x + n, beyond;
+
+	excess_of(g, x);
+	blend_excess(m, w, n, allowed);
+	for (p = 0; p < n; p++)
+		x[p] = fmax(0, x[p] - allowed[p]);
+	beyond = cap_integral(chart_of(g), x);
+	if (beyond > m->most) {
+		m->most = beyond;
+		m->worst = k;
+	}
+	detail("frame %d: integral of (K - H^2)+ %.3g beyond that of the grids, %.3g", k, beyond,
+	    cap_integral(chart_of(g), allowed));
+	if (m->o->cap && cap_lower(chart_of(g), x, lhg_find(g, "lambda")->f, lhg_find(g, "H")->f))
+		die("no memory for the cap of %d x %d nodes", g->nu, g->nv);
+}
+
+/* Weights below 0 lead outside the grids, where lambda or T need not be positive. */
+static void
+check_blend(const Lhg *g)
+{
+	const LhgChannel *lambda = lhg_find(g, "lambda");
+	size_t p;
+
+	if (!(g->T > 0))
+		die("the weights give a height T of %g", g->T);
+	for (p = 0; p < lambda->n; p++)
+		if (!(lambda->f[p] > 0 && isfinite(lambda->f[p])))
+			die("the weights give lambda %g at node (%zu,%zu), must be positive", lambda->f[p], p%g->nu, p/g->nu);
+}
+
+void
+mix_channels(Morph *m, const double *w, int k, Lhg *g)
+{
+	const double **T = cmd_alloc(m->n, sizeof *T);
+	const LhgChannel *c;
+	double *f;
+	int i;
+
+	for (i = 0; i < m->n; i++)
+		T[i] = &m->s[i].g.T;
+	blend(1, m->n, w, T, &g->T);
+	free(T);
+	for (c = m->s->g.chan; c < m->s->g.chan + m->s->g.nchan; c++) {
+		f = cmd_add(g, c->name, c->unit, c->support, c->step);
+		if (m->o->rule == MORPH_LINEAR || !is_by_rule(c->name))
+			sum_channel(m, w, c, f);
+	}
+	if (m->o->rule != MORPH_LINEAR)
+		mix_metric(m, w, g);
+	check_blend(g);
+	if (m->work && blend_single(m->n, w) < 0)
+		watch(m, w, k, g);
+}
+
+void
+mix_note(const Morph *m)
+{
+	if (m->most > FAR && !m->o->cap)
+		note("frame %d asks for K > H^2, which no surface has: an integral of %.2g beyond the grids' own; "
+		    "surfaces may jump there (--cap lowers lambda)", m->worst, m->most);
+}
