@@ -7,8 +7,11 @@
 #include "../grid/gridloss.h"
 #include "../poisson/plate.h"
 #include "conformal.h"
-#include "pillowgrid.h"
+#include "pillowpolish.h"
 #include "spherecones.h"
+
+/* As in conformal.c, for grids from linear elements. */
+static const double ENOUGH = 2e-4;
 
 /* A mapped surface and its sampling options. */
 typedef struct Closed {
@@ -36,19 +39,27 @@ shape(const Closed *m, Chart g)
 	return plate_fast(g);
 }
 
+static int
+sample_and_polish(const Closed *m, Chart g, PillowGrid *a, int *polished)
+{
+	if (pillowgrid_init(a, shape(m, g), &m->s))
+		return POLISH_ENOMEM;
+	return pillowpolish(&m->s, a, m->options->polish, m->map.quadratic ? 0 : ENOUGH, polished);
+}
+
 /* Samples on the given grid, or with the fewest cells whose grid keeps options->keep of the area. */
 static int
-sample(const Closed *m, Chart g, PillowGrid *a)
+sample(const Closed *m, Chart g, PillowGrid *a, int *polished)
 {
 	const ConformalOptions *o = m->options;
 	double least = o->keep*mesh_area(&m->d->m), area = least;
-	int n = conformal_cells(0), e;
+	int n, e;
 
 	if (!(o->keep > 0))
-		return pillowgrid_init(a, shape(m, g), &m->s);
-	for (;; n = conformal_cells(n)) {
+		return sample_and_polish(m, g, a, polished);
+	for (n = conformal_cells(0); ; n = conformal_cells(n)) {
 		g.nu = g.nv = (n < o->most ? n : o->most) + 1;
-		e = pillowgrid_init(a, shape(m, g), &m->s);
+		e = sample_and_polish(m, g, a, polished);
 		if (e || (e = gridloss_area(a->g, a->phi, &area)) || area >= least || n >= o->most)
 			return e;
 		pillowgrid_free(a);
@@ -165,7 +176,7 @@ sample_map(Closed *m, Chart g, Conformal *c)
 
 	if (e)
 		return e == SPHERESAMPLER_ECOARSE ? CONFORMAL_ECOARSE : SPD_ENOMEM;
-	e = sample(m, g, &a) ? SPD_ENOMEM : fill(m, &a, c);
+	e = sample(m, g, &a, &c->polished) ? SPD_ENOMEM : fill(m, &a, c);
 	pillowgrid_free(&a);
 	spheresampler_free(&m->s);
 	return e;

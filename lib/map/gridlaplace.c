@@ -117,11 +117,18 @@ add_point(const Cell *cell, double central, double x, double y, double m[10])
 			*m++ += (G*du[a]*du[b] - F*(du[a]*dv[b] + dv[a]*du[b]) + E*dv[a]*dv[b])/area*h*k/4;
 }
 
-/* The row of nodes below row `row` of cells: the last row of cells of a folded chart is the fold. */
+/* The row of nodes below row `row` of cells.  The last rows of cells of a folded chart are the folds at v = 0 and v =
+ * T. */
 static int
 row_below(const GridLaplace *l, int row)
 {
-	return l->g.kind->folded && row == l->down - 1 ? -1 : row;
+	return row < l->g.nv - 1 ? row : row == l->g.nv - 1 ? -1 : l->g.nv - 1;
+}
+
+static int
+is_fold(const GridLaplace *l, int row)
+{
+	return row >= l->g.nv - 1;
 }
 
 /* The nodes of cell i of a row of cells above row j of nodes, and their signs. */
@@ -185,8 +192,8 @@ fill_row(GridLaplace *l, const Node *node, int row, int metric)
 			else
 				add_point(&cell, METRIC[metric].central, x, y, m);
 		}
-		for (q = 0; q < 10 && j < 0; q++)
-			m[q] /= 2;              /* the cells of the fold come twice */
+		for (q = 0; q < 10 && is_fold(l, row); q++)
+			m[q] /= 2;              /* the cells of a fold come twice */
 	}
 }
 
@@ -239,7 +246,7 @@ apply_row(const GridLaplace *l, int row, const double *x, double *y)
 {
 	static const double none[4] = { 0, 0, 0, 0 };
 	const double *m = l->cell + 10*(size_t)row*l->across;
-	int i, j = row_below(l, row), plain = j < 0 ? 0 : l->g.nu - 1, sign[4];
+	int i, j = row_below(l, row), plain = is_fold(l, row) ? 0 : l->g.nu - 1, sign[4];
 	size_t p = (size_t)row*l->g.nu, q = p + l->g.nu, node[4];
 
 	for (i = 0; i < plain; i++, m += 10, p++, q++) {
@@ -256,7 +263,7 @@ apply_row(const GridLaplace *l, int row, const double *x, double *y)
 	}
 }
 
-/* Applies even rows of cells, then odd ones, and last the fold.  So rows that run at the same time share no
+/* Applies even rows of cells, then odd ones, and last the folds.  So rows that run at the same time share no
  * node, and the order of each sum does not depend on the number of threads. */
 void
 gridlaplace_apply(const GridLaplace *l, const double *x, double *y)
@@ -269,8 +276,8 @@ gridlaplace_apply(const GridLaplace *l, const double *x, double *y)
 		for (j = parity; j < rows; j += 2)
 			apply_row(l, j, x, y);
 	}
-	if (l->g.kind->folded)
-		apply_row(l, rows, x, y);
+	for (j = rows; j < l->down; j++)
+		apply_row(l, j, x, y);
 }
 
 /* y = the derivative of E/2 at the coordinate along the axis plus x, in steps. */
@@ -292,23 +299,24 @@ apply_coordinate(const GridLaplace *l, int axis, const double *x, double *y)
 		}
 }
 
-/* E of the coordinate along the axis plus x, in steps. */
+/* E(f,g) in steps, for f the coordinate along axis[0] plus x[0], and g that along axis[1] plus x[1]. */
 static double
-coordinate_energy(const GridLaplace *l, int axis, const double *x)
+coordinate_product(const GridLaplace *l, const int axis[2], const double *const x[2])
 {
-	int i, j, a, b, row, sign[4];
-	double E = 0, f[4];
+	int i, j, a, b, c, row, sign[4];
+	double E = 0, f[2][4];
 	const double *m = l->cell;
 	size_t node[4];
 
 	for (row = 0; row < l->down; row++)
 		for (i = 0, j = row_below(l, row); i < l->across; i++) {
 			corners_of(l->g, i, j, node, sign);
+			for (c = 0; c < 2; c++)
+				for (a = 0; a < 4; a++)
+					f[c][a] = (axis[c] ? j + a/2 + 0.5 : i + a%2 + 0.5) + sign[a]*x[c][node[a]];
 			for (a = 0; a < 4; a++)
-				f[a] = (axis ? j + a/2 + 0.5 : i + a%2 + 0.5) + sign[a]*x[node[a]];
-			for (a = 0; a < 4; a++)
-				for (b = 0; b <= a; b++)
-					E += (a == b ? 1 : 2)**m++*f[a]*f[b];
+				for (b = 0; b <= a; b++, m++)
+					E += a == b ? *m*f[0][a]*f[1][a] : *m*(f[0][a]*f[1][b] + f[0][b]*f[1][a]);
 		}
 	return E;
 }
@@ -386,7 +394,7 @@ shift_odd(const GridLaplace *l, const PlaneLaplace *plane, int axis, double *f, 
 	apply_coordinate(l, axis, f, work);
 	negate(n, work);
 	solve(l, plane, f, work);
-	*energy = coordinate_energy(l, axis, f)/(steps*steps);
+	*energy = coordinate_product(l, (int[]){ axis, axis }, (const double *[]){ f, f })/(steps*steps);
 }
 
 int
@@ -402,4 +410,11 @@ gridlaplace_shift(const GridLaplace *l, int axis, double *shift, double *energy)
 	}
 	free(work);
 	return e;
+}
+
+double
+gridlaplace_product(const GridLaplace *l, const double *shift_u, const double *shift_v)
+{
+	return coordinate_product(l, (int[]){ 0, 1 }, (const double *[]){ shift_u, shift_v })/
+	    (chart_steps(l->g, 0)*chart_steps(l->g, 1));
 }

@@ -25,7 +25,7 @@ enum {
 
 typedef struct GridLaplace {
 	Chart   g;
-	int     across, down;   /* cells in a row; rows of cells, the fold included, which comes last */
+	int     across, down;   /* cells in a row; rows of cells, the folds included, which come last */
 	double *cell;           /* [down][across][10] the lower triangle of each cell's 4 x 4 matrix */
 } GridLaplace;
 
@@ -43,9 +43,14 @@ void gridlaplace_apply(const GridLaplace *l, const double *x, double *y);
  * and its energy, of the coordinate from 0 to 1.  On the rectangle it is 0 on the side i = 0 and 1 on i =
  * nu-1 (axis 0), or 0 on j = 0 and 1 on j = nv-1 (axis 1), and free on the other two.  On the sock u grows
  * by 1 round the period and is free at the boundary, v is 1 at the boundary; both are odd under the turns
- * about the cones.  Solved by conjugate gradients, preconditioned by the Laplacian of the plane
+ * about the cones.  On the pillow u grows by 1 round the period in u, and v by 2 round that of both sheets
+ * along v; both are odd under the turns about the cones.  Solved by conjugate gradients, preconditioned by the Laplacian of the plane
  * (planelaplace.h), in at most 420 steps; on grids far from conformal they may not have converged then.
  * Returns 0 or GRIDLAPLACE_ENOMEM. */
 int  gridlaplace_shift(const GridLaplace *l, int axis, double *shift, double *energy);
+
+/* E(a,b) of the two coordinates, each from 0 to 1, less which the coordinates of the grid are these shifts; on a folded
+ * chart. */
+double gridlaplace_product(const GridLaplace *l, const double *shift_u, const double *shift_v);
 
 #endif

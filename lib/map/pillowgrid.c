@@ -2,38 +2,23 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "../base/pillowplane.h"
 #include "pillowgrid.h"
-
-static void
-normalise(Spinor Z)
-{
-	double norm = hypot(cabs(Z[0]), cabs(Z[1]));
-
-	Z[0] /= norm;
-	Z[1] /= norm;
-}
+#include "pillowshift.h"
 
 int
-pillowgrid_init(PillowGrid *a, Chart g, const SphereSampler *s)
+pillowgrid_alloc(PillowGrid *a, Chart g)
 {
-	int n = g.nu*g.nv, p, c;
-	PillowPlane plane = pillowplane(g.T);
+	size_t n = (size_t)g.nu*g.nv;
+	int c;
 
-	*a = (PillowGrid){ g, malloc(n*sizeof *a->at), { malloc(3*(size_t)n*sizeof(double)), NULL, NULL } };
-	for (c = 1; c < 3; c++)
-		a->phi[c] = a->phi[0] + (size_t)c*n;
-	if (a->at && a->phi[0]) {
-		#pragma omp parallel for schedule(static)
-		for (p = 0; p < n; p++) {
-			pillowplane_z(&plane, chart_u(g, p%g.nu), chart_v(g, p/g.nu), a->at[p]);
-			normalise(a->at[p]);
-		}
-		if (!spheresampler_points(s, n, a->at, a->phi))
-			return 0;
+	*a = (PillowGrid){ g, malloc(n*sizeof *a->at), { malloc(3*n*sizeof(double)), NULL, NULL } };
+	if (!a->at || !a->phi[0]) {
+		pillowgrid_free(a);
+		return POLISH_ENOMEM;
 	}
-	pillowgrid_free(a);
-	return POLISH_ENOMEM;
+	for (c = 1; c < 3; c++)
+		a->phi[c] = a->phi[0] + c*n;
+	return 0;
 }
 
 void
@@ -46,13 +31,32 @@ pillowgrid_free(PillowGrid *a)
 }
 
 int
+pillowgrid_init(PillowGrid *a, Chart g, const SphereSampler *s)
+{
+	if (pillowgrid_alloc(a, g))
+		return POLISH_ENOMEM;
+	pillowshift_nodes(g, a->at);
+	if (!spheresampler_points(s, g.nu*g.nv, a->at, a->phi))
+		return 0;
+	pillowgrid_free(a);
+	return POLISH_ENOMEM;
+}
+
+int
 pillowgrid_uv(const PillowGrid *a, int n, Spinor *point, double *u, double *v)
 {
-	PillowPlane plane = pillowplane(a->g.T);
+	PillowShift s;
 	int i;
 
-	#pragma omp parallel for schedule(static)
-	for (i = 0; i < n; i++)
-		pillowplane_uv(&plane, point[i], &u[i], &v[i]);
+	if (pillowshift_init(&s, a->g, a->at))
+		return POLISH_ENOMEM;
+	#pragma omp parallel for schedule(dynamic, 256)
+	for (i = 0; i < n; i++) {
+		Spinor from;
+
+		pillowshift_from(&s, point[i], from);
+		pillowplane_uv(&s.plane, from, &u[i], &v[i]);
+	}
+	pillowshift_free(&s);
 	return 0;
 }

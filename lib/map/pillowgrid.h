@@ -19,6 +19,7 @@ typedef struct PillowGrid {
 /* Samples s on the pillow g, whose T is the height with which its cones were chosen, nu, nv >= 6.  Returns 0 or
  * POLISH_ENOMEM. */
 int  pillowgrid_init(PillowGrid *a, Chart g, const SphereSampler *s);
+int  pillowgrid_alloc(PillowGrid *a, Chart g);
 void pillowgrid_free(PillowGrid *a);
 
 /* The (u,v) of n points of the sphere. */

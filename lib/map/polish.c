@@ -9,24 +9,8 @@
 #include "../grid/lambdah.h"
 #include "../grid/stencil.h"
 #include "polish.h"
+#include "rounds.h"
 #include "../base/stats.h"
-
-/* Polishing has two stages.  The first also works far from conformal, and for most surfaces it is
- * the only one.  If it leaves a mean Beltrami modulus above UNDONE (surfaces that turn much within
- * a cell), the second stage goes on until the grid is as conformal as differences at nodes can
- * measure; averages over cells lose some accuracy by it.  A round gains nothing if its mean is not
- * below `worth` times the least mean before. */
-static const struct { int metric; double worth; } STAGE[] = {
-	{ GRIDLAPLACE_CELLS, 0.85 }, { GRIDLAPLACE_NODES, 0.97 }
-};
-enum { STAGES = 2, PATIENCE = 3 };
-static const double UNDONE = 4e-3;
-static const double UNRESOLVED = 0.05;  /* if the mean is larger after one round, the cells are too
-                                         * large for the surface, more rounds would amplify rounding
-                                         * errors, and the start is kept */
-static const double FOLDED = 2e-3;      /* if the mean is above this, the first stage ends after
-                                         * PATIENCE rounds without gain, otherwise after one: from a
-                                         * start with folds the mean may rise at first */
 
 static int
 grid_alloc(Grid *a, Chart g)
@@ -155,7 +139,6 @@ typedef struct State {
 	Grid    grid;
 	int     n;
 	double *pu, *pv;
-	double  mean;           /* mean modulus of the Beltrami coefficient */
 } State;
 
 static int
@@ -183,109 +166,65 @@ copy_points(int n, const double *pu, const double *pv, State *to)
 	memcpy(to->pv, pv, n*sizeof *pv);
 }
 
+/* What the rounds work on. */
+typedef struct Polishing {
+	const Sampler *sampler;
+	State  state[ROUNDS_GRIDS];
+	Shift  shift;
+	double *mu;             /* as in mean_beltrami */
+} Polishing;
+
 static void
-state_copy(const State *from, State *to)
+copy(void *of, int i, int k)
 {
+	const State *from = &((Polishing *)of)->state[i];
+	State *to = &((Polishing *)of)->state[k];
 	size_t n = (size_t)from->grid.g.nu*from->grid.g.nv;
 
 	to->grid.g = from->grid.g;
 	to->grid.map = from->grid.map;
-	to->mean = from->mean;
 	memcpy(to->grid.phi[0], from->grid.phi[0], 5*n*sizeof(double));
 	copy_points(from->n, from->pu, from->pv, to);
 }
 
-/* Does one round, from a to b; mu as in mean_beltrami. */
+/* Does one round, from grid i to grid k. */
 static int
-advance(const Sampler *sampler, int metric, const State *a, State *b, Shift *shift, double *mu)
+advance(void *of, int metric, int i, int k, double *mean)
 {
-	int e = find_shift(&a->grid, metric, shift);
+	Polishing *p = of;
+	State *a = &p->state[i], *b = &p->state[k];
+	int e = find_shift(&a->grid, metric, &p->shift);
 
 	if (e)
 		return e;
 	copy_points(a->n, a->pu, a->pv, b);
-	e = resample(sampler, &a->grid, shift, &b->grid);
+	e = resample(p->sampler, &a->grid, &p->shift, &b->grid);
 	if (e)
 		return e;
-	carry_points(a->grid.g, shift, b->n, b->pu, b->pv);
-	b->mean = mean_beltrami(&b->grid, mu);
-	return 0;
-}
-
-/* The stage of the next round, after `idle` rounds without gain in this one.  A new stage
- * begins with the best grid. */
-static int
-next_stage(int stage, const State *best, State *now, int *idle)
-{
-	if (*idle < (stage == 0 && best->mean > FOLDED ? PATIENCE : 1))
-		return stage;
-	*idle = 0;
-	state_copy(best, now);
-	return best->mean > UNDONE ? stage + 1 : STAGES;
-}
-
-/* The share of the mean after the first round below which the later ones have to bring it.  Limbs lie at cones, and
- * their tips are never conformal on few cells: each round takes nodes away from there.  The first takes out what the map
- * lacks; the others have to pay. */
-static double
-worthwhile(Chart g)
-{
-	return g.kind->cones ? 0.5 : 1;
-}
-
-/* best   in: the start; out: the round with the least mean, or the first if the others are not worthwhile
- * first  workspace for the first round
- * done   out: the number of that round, if any round lowered the mean */
-static int
-iterate(const Sampler *sampler, State *best, State work[2], State *first, int rounds, double enough, Shift *shift,
-	double *mu, int *done)
-{
-	int k, e, idle = 0, stage = 0;
-	State *now, *next;
-
-	best->mean = mean_beltrami(&best->grid, mu);
-	state_copy(best, &work[0]);
-	for (k = 0; k < rounds && best->mean > enough && stage < STAGES; k++) {
-		now = &work[k%2], next = &work[(k+1)%2];
-		e = advance(sampler, STAGE[stage].metric, now, next, shift, mu);
-		if (e)
-			return e;
-		if (k == 0 && next->mean > UNRESOLVED)
-			break;
-		idle = next->mean < STAGE[stage].worth*best->mean ? 0 : idle + 1;
-		if (next->mean < best->mean) {
-			state_copy(next, best);
-			*done = k + 1;
-		}
-		if (k == 0)
-			state_copy(best, first);
-		stage = next_stage(stage, best, next, &idle);
-	}
-	if (*done > 1 && !(best->mean < worthwhile(best->grid.g)*first->mean)) {
-		state_copy(first, best);
-		*done = 1;
-	}
+	carry_points(a->grid.g, &p->shift, b->n, b->pu, b->pv);
+	*mean = mean_beltrami(&b->grid, p->mu);
 	return 0;
 }
 
 int
-polish(const Sampler *sampler, Grid *a, int rounds, double enough, int n, double *pu, double *pv,
+polish(const Sampler *sampler, Grid *a, int most, double enough, int n, double *pu, double *pv,
 	int *done)
 {
 	size_t nodes = (size_t)a->g.nu*a->g.nv;
 	double *room = malloc(3*nodes*sizeof *room);
-	Shift shift = { room, room + nodes, 0 };
-	State best = { *a, n, pu, pv, 0 }, work[2], first;
-	int e = state_alloc(&work[0], a->g, n), e1 = state_alloc(&work[1], a->g, n), e2 = state_alloc(&first, a->g, n);
+	Polishing p = { sampler, { { *a, n, pu, pv } }, { room, room + nodes, 0 }, room + 2*nodes };
+	Rounds r = { advance, copy, &p, a->g.kind->cones > 0 };
+	int e = room ? 0 : POLISH_ENOMEM, k;
 
 	*done = 0;
-	e = e || e1 || e2 || !room ? POLISH_ENOMEM : 0;
-	if (!e && rounds > 0)
-		e = iterate(sampler, &best, work, &first, rounds, enough, &shift, room + 2*nodes, done);
-	*a = best.grid;
-	state_free(&work[0]);
-	state_free(&work[1]);
-	state_free(&first);
+	for (k = 1; k < ROUNDS_GRIDS; k++)
+		if (state_alloc(&p.state[k], a->g, n))
+			e = POLISH_ENOMEM;
+	if (!e && most > 0)
+		e = rounds(&r, most, enough, mean_beltrami(a, p.mu), done);
+	*a = p.state[0].grid;
+	for (k = 1; k < ROUNDS_GRIDS; k++)
+		state_free(&p.state[k]);
 	free(room);
 	return e ? POLISH_ENOMEM : 0;
 }

@@ -104,15 +104,23 @@ mark_long(const Disk *d, double complex (*Z)[2], unsigned char *rough)
 	return n;
 }
 
-/* The faces turned over in half h whose first corner lies there. */
+/* Whether faces of half h are turned over.  *more: the number of these whose first corner lies in it, without those with
+ * long sides. */
 static int
-count_flat(const SphereHalf *a, double complex (*Z)[2], int h)
+find_flat(const SphereHalf *a, double complex (*Z)[2], int h, int *more)
 {
-	int t, n = 0;
+	int t, any = 0;
 
-	for (t = 0; t < a->part.m.nf; t++)
-		n += locate_is_flat(&a->s.l, t) && cabs(chart(Z[a->part.m.tri[3*(size_t)t]], h)) < exp(2*BAND);
-	return n;
+	for (*more = t = 0; t < a->part.m.nf; t++) {
+		const int *c = &a->part.m.tri[3*(size_t)t];
+		double r = cabs(chart(Z[c[0]], h));
+
+		if (r > exp(2*BAND) || !locate_is_flat(&a->s.l, t))
+			continue;
+		any = 1;
+		*more += (h ? r < 1 : r <= 1) && !is_long(c, Z);
+	}
+	return any;
 }
 
 static void
@@ -132,7 +140,7 @@ static int
 half_init(SphereSampler *s, const Disk *d, const Subdivision *mesh, double complex (*Z)[2], int surface, int h)
 {
 	SphereHalf *a = &s->half[h];
-	int nv = mesh->d.m.nv, smooth = surface == SAMPLER_SMOOTH, rough;
+	int nv = mesh->d.m.nv, smooth = surface == SAMPLER_SMOOTH, rough, flat, more;
 
 	a->fine = *mesh;
 	a->fine.d.m.tri = a->fine.d.twin = NULL;
@@ -148,8 +156,9 @@ half_init(SphereSampler *s, const Disk *d, const Subdivision *mesh, double compl
 	if (!smooth)
 		return 0;
 	rough = mark_long(d, Z, a->rough);
-	s->overlaid += count_flat(a, Z, h) + (h == 0 ? rough : 0);
-	return s->overlaid > 0 && sampler_overlay(&a->s, &a->fine, a->u, a->v, a->rough) ? SPHERESAMPLER_ENOMEM : 0;
+	flat = find_flat(a, Z, h, &more);
+	s->overlaid += more + (h == 0 ? rough : 0);
+	return (rough || flat) && sampler_overlay(&a->s, &a->fine, a->u, a->v, a->rough) ? SPHERESAMPLER_ENOMEM : 0;
 }
 
 int
