@@ -131,7 +131,6 @@ orders(void **state)
 			e[k] = error(&b, kind, &f[k]);
 			drop(&b);
 		}
-		print_message("%d: positions %.2g %.2g, field %.2g %.2g\n", kind, e[0], e[1], f[0], f[1]);
 		assert_true(log2(e[0]/e[1]) > order[kind] - .4);
 		assert_true(log2(f[0]/f[1]) > order[kind] - .4);
 	}

@@ -76,7 +76,7 @@ nearest(const Closed *m, const Spinor p)
 	int i, best = 0;
 
 	for (i = 0; i < m->d->m.nv; i++) {
-		far = cabs(p[0]*m->map.Z[i][1] - p[1]*m->map.Z[i][0]);
+		far = cabs(moebius_cross(p, m->map.Z[i]));
 		if (far < least) {
 			least = far;
 			best = i;

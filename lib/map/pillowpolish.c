@@ -13,34 +13,18 @@
 
 /* ---- the new sphere -------------------------------------------------- */
 
-/* A map of the sphere that takes 0, infinity and 1 to the columns of its matrix and their sum. */
+/* The map that takes the cones -s, s, 1/s to -r, r, 1/r. */
 static void
-through(double complex P[3][2], double complex M[2][2])
+cones_to_cones(double complex s, double r, Moebius M)
 {
-	double complex det = P[0][0]*P[1][1] - P[0][1]*P[1][0];
-	double complex a = (P[2][0]*P[1][1] - P[2][1]*P[1][0])/det, b = (P[0][0]*P[2][1] - P[0][1]*P[2][0])/det;
+	Spinor from[3] = { { -s, 1 }, { s, 1 }, { 1, s } }, to[3] = { { -r, 1 }, { r, 1 }, { 1, r } };
 	int k;
 
-	for (k = 0; k < 2; k++) {
-		M[k][0] = b*P[1][k];
-		M[k][1] = a*P[0][k];
+	for (k = 0; k < 3; k++) {
+		moebius_normalise(from[k]);
+		moebius_normalise(to[k]);
 	}
-}
-
-/* The map that takes the cones -s, s, -1/s to -r, r, -1/r. */
-static void
-cones_to_cones(double complex s, double r, double complex M[2][2])
-{
-	double complex from[3][2] = { { -s, 1 }, { s, 1 }, { -1, s } }, to[3][2] = { { -r, 1 }, { r, 1 }, { -1, r } };
-	double complex A[2][2], B[2][2];
-	int k;
-
-	through(from, A);
-	through(to, B);
-	for (k = 0; k < 2; k++) {
-		M[k][0] = B[k][0]*A[1][1] - B[k][1]*A[1][0];
-		M[k][1] = B[k][1]*A[0][0] - B[k][0]*A[0][1];
-	}
+	moebius_three(from, to, M);
 }
 
 /* Where the map takes the nodes of which the harmonic coordinates are those of the grid plus du, dv, in steps. */
@@ -48,22 +32,17 @@ static void
 map_nodes(Chart g, const double *du, const double *dv, double complex tau, Spinor *to)
 {
 	PillowPlane plane = pillowplane(cimag(tau)/2);
-	double complex M[2][2];
+	Moebius M;
 	int p;
 
 	cones_to_cones(torusplane_cone(tau), plane.half.s, M);
 	#pragma omp parallel for schedule(static)
 	for (p = 0; p < g.nu*g.nv; p++) {
-		double complex z[2];
-		double norm;
-		int k;
+		Spinor z;
 
 		torusplane_z(tau, (p%g.nu + 0.5 + du[p])/g.nu, (p/g.nu + 0.5 + dv[p])/(2*g.nv), z);
-		for (k = 0; k < 2; k++)
-			to[p][k] = M[k][0]*z[0] + M[k][1]*z[1];
-		norm = hypot(cabs(to[p][0]), cabs(to[p][1]));
-		to[p][0] /= norm;
-		to[p][1] /= norm;
+		moebius_normalise(z);
+		moebius_apply(M, z, to[p]);
 	}
 }
 

@@ -6,8 +6,8 @@
  *   tau = i B/(1 + i A),   A = -E(a,b),   B = E(a,a),
  *
  * E the Dirichlet energy of the torus.  tau is not quite imaginary, as the cross-ratio of the cones is not quite real: so zeta is mapped to
- * the sphere (../base/torusplane.h), and three cones there to those of a pillow of height Im tau/2.  The fourth moves to where
- * that pillow has it.
+ * the sphere (../base/torusplane.h), and its cones (0,0), (1/2,0), (1/2,T) to those of a pillow of height Im tau/2.
+ * These stay where they are on the surface; the fourth moves to where that pillow has it.
  */
 #ifndef PILLOWPOLISH_H
 #define PILLOWPOLISH_H

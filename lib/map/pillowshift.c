@@ -8,22 +8,13 @@
 enum { MOST_STEPS = 60 };
 static const double NEAR = 1e-12;       /* last step of the iteration, over |z| + s */
 
-static void
-normalise(Spinor Z)
-{
-	double norm = hypot(cabs(Z[0]), cabs(Z[1]));
-
-	Z[0] /= norm;
-	Z[1] /= norm;
-}
-
 /* The point at z of the plane h: of z or of 1/z. */
 static void
 point_of(double complex z, int h, Spinor Z)
 {
 	Z[h] = z;
 	Z[1-h] = 1;
-	normalise(Z);
+	moebius_normalise(Z);
 }
 
 void
@@ -35,7 +26,7 @@ pillowshift_nodes(Chart g, Spinor *at)
 	#pragma omp parallel for schedule(static)
 	for (p = 0; p < g.nu*g.nv; p++) {
 		pillowplane_z(&plane, chart_u(g, p%g.nu), chart_v(g, p/g.nu), at[p]);
-		normalise(at[p]);
+		moebius_normalise(at[p]);
 	}
 }
 
