@@ -185,6 +185,47 @@ mollified_triangles_have_area(void **state)
 	disk_free(&d);
 }
 
+/* Checks each area against that of the corners' places xy, in units of `longest`. */
+static void
+check_areas(const Intrinsic *t, const double *xy, double longest)
+{
+	int f;
+
+	for (f = 0; f < t->nf; f++) {
+		const double *a = &xy[2*t->from[3*f]], *b = &xy[2*t->from[3*f+1]], *c = &xy[2*t->from[3*f+2]];
+		double area = ((b[0] - a[0])*(c[1] - a[1]) - (c[0] - a[0])*(b[1] - a[1]))/2;
+
+		assert_true(fabs(t->area[f]*longest*longest - area) < 1e-15);
+	}
+}
+
+/* A triangle of height 1e-6 within a tilted square: its area is right to the rounding errors of the
+ * coordinates, although lengths tell the height to 1e-10 only; so are the areas after it is flipped away. */
+static void
+thin_triangles_keep_their_area(void **state)
+{
+	const double xy[] = { 0,0, 1,0, 1,1, 0,1, .2,.5, .8,.5, .5,.500001 };
+	const double e[3] = { 2/3., 2/3., 1/3. }, g[3] = { -2/3., 1/3., 2/3. };
+	int tri[] = { 0,1,4, 1,5,4, 4,5,6, 1,2,5, 2,6,5, 2,3,6, 3,4,6, 3,0,4 }, i, k, before;
+	double xyz[21];
+	Intrinsic t;
+	Disk d;
+
+	(void)state;
+	for (i = 0; i < 7; i++)
+		for (k = 0; k < 3; k++)
+			xyz[3*i + k] = xy[2*i]*e[k] + xy[2*i + 1]*g[k];
+	assert_int_equal(disks_of(7, xyz, 8, tri, &d), 0);
+	assert_int_equal(intrinsic_init(&t, &d), 0);
+	check_areas(&t, xy, 1);
+	before = t.from[8];
+	assert_int_equal(intrinsic_delaunay(&t, NULL), 0);
+	assert_int_not_equal(t.from[8], before);
+	check_areas(&t, xy, 1);
+	intrinsic_free(&t);
+	disk_free(&d);
+}
+
 /* Shears the disk and stretches it tenfold, so that its triangulation is far from Delaunay. */
 static void
 shear(Disk *d)
@@ -604,6 +645,7 @@ main(void)
 		cmocka_unit_test(delaunay_keeps_the_surface),
 		cmocka_unit_test(delaunay_with_needles),
 		cmocka_unit_test(mollified_triangles_have_area),
+		cmocka_unit_test(thin_triangles_keep_their_area),
 		cmocka_unit_test(crossings_of_the_plane),
 		cmocka_unit_test(pieces_use_all_crossings),
 		cmocka_unit_test(order_of_flips_does_not_matter),

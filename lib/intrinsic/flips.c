@@ -61,7 +61,8 @@ flip(Intrinsic *t, int h)
 	int g = t->twin[h], h1 = intrinsic_next(h), h2 = intrinsic_last(h);
 	int g1 = intrinsic_next(g), g2 = intrinsic_last(g);
 	int i = t->from[h], j = t->from[g], k = t->from[h2], l = t->from[g2], e = t->edge[h];
-	double yk, yl, xk = intrinsic_foot(t, h, &yk), xl = t->length[e] - intrinsic_foot(t, g, &yl);
+	double yk, yl, xk = intrinsic_foot(t, h, &yk), fromj = intrinsic_foot(t, g, &yl);
+	double xl = t->length[e] - fromj;
 
 	if (t->crossing && crossings_flip(t, h))
 		return INTRINSIC_ENOMEM;
@@ -69,6 +70,8 @@ flip(Intrinsic *t, int h)
 	t->from[h] = k, t->from[h1] = l, t->from[h2] = j;
 	t->from[g] = l, t->from[g1] = k, t->from[g2] = i;
 	t->side[e] = h;
+	t->area[h/3] = fmax(yl*(t->length[e] - xk) + yk*fromj, 0)/2;
+	t->area[g/3] = fmax(yl*xk + yk*xl, 0)/2;
 	t->length[e] = hypot(xk - xl, yk + yl);
 	return 0;
 }

@@ -24,12 +24,13 @@ allocate(Intrinsic *t)
 	t->edge = malloc(sides*sizeof *t->edge);
 	t->side = malloc(ne*sizeof *t->side);
 	t->length = malloc(ne*sizeof *t->length);
+	t->area = malloc(t->nf*sizeof *t->area);
 	t->mesh_side = malloc(ne*sizeof *t->mesh_side);
 	t->mesh_from = malloc(ne*sizeof *t->mesh_from);
 	t->along = malloc(ne*sizeof *t->along);
 	t->crossing = calloc(ne, sizeof *t->crossing);
 	t->crossings = calloc(ne, sizeof *t->crossings);
-	return t->from && t->twin && t->edge && t->side && t->length && t->mesh_side && t->mesh_from
+	return t->from && t->twin && t->edge && t->side && t->length && t->area && t->mesh_side && t->mesh_from
 	    && t->along && t->crossing && t->crossings ? 0 : INTRINSIC_ENOMEM;
 }
 
@@ -51,12 +52,41 @@ number_edges(Intrinsic *t)
 	}
 }
 
-/* Sets the lengths, in the metric (3) of the mesh, in units of the longest edge. */
+/* The area of triangle f by its lengths. */
+static double
+area_by_lengths(const Intrinsic *t, int f)
+{
+	return intrinsic_area(intrinsic_length(t, 3*f), intrinsic_length(t, 3*f + 1), intrinsic_length(t, 3*f + 2));
+}
+
+/* The area of triangle f, with its sides in units of `longest`, as the cross product of its two shorter sides:
+ * the rounding errors are then smallest. */
+static double
+area_by_places(const Intrinsic *t, const Mesh *m, int f, double longest)
+{
+	double l[3], x[3], y[3], n[3];
+	const double *corner[3];
+	int k, at;
+
+	for (k = 0; k < 3; k++) {
+		l[k] = intrinsic_length(t, 3*f + k);
+		corner[k] = &m->xyz[3*(size_t)t->from[3*f + k]];
+	}
+	at = l[0] >= l[1] && l[0] >= l[2] ? 2 : l[1] >= l[2] ? 0 : 1;
+	sub3(corner[(at+1)%3], corner[at], x);
+	sub3(corner[(at+2)%3], corner[at], y);
+	for (k = 0; k < 3; k++)
+		x[k] /= longest, y[k] /= longest;
+	cross3(x, y, n);
+	return hypot(hypot(n[0], n[1]), n[2])/2;
+}
+
+/* Sets the lengths and areas, in the metric (3) of the mesh, in units of the longest edge. */
 static void
 measure(Intrinsic *t, const Mesh *m)
 {
 	double longest = 0;
-	int e;
+	int e, f;
 
 	for (e = 0; e < t->ne; e++) {
 		int h = t->side[e];
@@ -68,6 +98,8 @@ measure(Intrinsic *t, const Mesh *m)
 	}
 	for (e = 0; e < t->ne; e++)
 		t->length[e] = fmax(t->length[e]/longest, INTRINSIC_FINEST);
+	for (f = 0; f < t->nf; f++)
+		t->area[f] = area_by_places(t, m, f, longest);
 }
 
 int
@@ -160,6 +192,8 @@ lengthen(Intrinsic *t, Mollifier *m)
 		look_at(m, t->side[e]);
 		look_at(m, t->twin[t->side[e]]);
 	}
+	for (i = 0; i < m->faces; i++)
+		t->area[m->face[i]] = area_by_lengths(t, m->face[i]);
 }
 
 int
@@ -197,6 +231,7 @@ intrinsic_free(Intrinsic *t)
 	free(t->edge);
 	free(t->side);
 	free(t->length);
+	free(t->area);
 	free(t->mesh_side);
 	free(t->mesh_from);
 	free(t->along);
@@ -227,7 +262,7 @@ intrinsic_cotangent_parts(const Intrinsic *t, int h, double *above, double *belo
 	double a = intrinsic_length(t, intrinsic_next(h)), b = intrinsic_length(t, intrinsic_last(h));
 
 	*above = a*a + (b - c)*(b + c);
-	*below = 4*intrinsic_area(a, b, c);
+	*below = 4*t->area[h/3];
 }
 
 double
@@ -247,6 +282,6 @@ intrinsic_foot(const Intrinsic *t, int side, double *height)
 	double c = intrinsic_length(t, side);
 	double a = intrinsic_length(t, intrinsic_next(side)), b = intrinsic_length(t, intrinsic_last(side));
 
-	*height = 2*intrinsic_area(a, b, c)/c;
+	*height = 2*t->area[side/3]/c;
 	return (b*b + (c - a)*(c + a))/(2*c);
 }

@@ -1,5 +1,5 @@
 /* intrinsic.h - an intrinsic triangulation of a disk: its edges are straight lines within the
- * surface, known by their lengths alone (doc/mathematics.md 3.6).
+ * surface, known by their lengths and the areas of the triangles (doc/mathematics.md 3.6).
  *
  * Its connectivity changes only by flips, so it has the vertices of the mesh, and as many edges and
  * triangles as the mesh.
@@ -26,6 +26,8 @@ typedef struct Intrinsic {
 	int    *edge;           /* [3*nf] the edge of a side */
 	int    *side;           /* [ne] the side that gives an edge its direction */
 	double *length;         /* [ne] in units of the longest edge of the mesh */
+	double *area;           /* [nf] in the square of that unit; lengths alone tell little of the height of
+	                         * a flat triangle */
 	int    *mesh_side;      /* [ne] one side of each mesh edge, numbered as in the disk */
 	int    *mesh_from;      /* [ne] the vertex at which that side starts */
 	int    *along;          /* [ne] the mesh edge that coincides with this edge, or -1 */

@@ -22,7 +22,7 @@ term(const IntrinsicMap *m, int f)
 	double l2 = intrinsic_length(t, 3*f + 2), gaa = l0*l0, gbb = l2*l2;
 
 	return worst_term(&t->from[3*f], m->u, m->v, gaa, (gaa + (l2 - l1)*(l2 + l1))/2, gbb,
-	    intrinsic_area(l0, l1, l2));
+	    t->area[f]);
 }
 
 /* Marks the longest edge of each triangle that has one of the largest terms (worst.h); if several
