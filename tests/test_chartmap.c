@@ -5,6 +5,7 @@
 #include "cmock.h"
 
 #include "../lib/map/chartmap.h"
+#include "../lib/map/harmonic.h"
 #include "../lib/map/cones.h"
 
 static const double complex A = 0.3 + 0.2*I, B = -0.4 + 0.5*I;
@@ -55,6 +56,26 @@ the_circle_goes_round_the_sides(void **state)
 			assert_true(hypot(X - before[0], Y - before[1]) < 0.02);
 		before[0] = X, before[1] = Y;
 	}
+}
+
+/* On a rectangle the nodes of a side are put on it exactly. */
+static void
+the_sides_of_a_rectangle_are_kept(void **state)
+{
+	ChartMap m = chartmap_rectangle(3.3);
+	double x = 1 - 1e-16, y = 1e-29;
+
+	(void)state;
+	chartmap_clamp(&m, SIDE_BOTTOM, &x, &y);
+	assert_true(x == 1 - 1e-16 && y == 0);
+	chartmap_clamp(&m, SIDE_RIGHT, &x, &y);
+	assert_true(x == 1 && y == 0);
+	x = 1e-29, y = 3.3 - 1e-15;
+	chartmap_clamp(&m, SIDE_LEFT | SIDE_TOP, &x, &y);
+	assert_true(x == 0 && y == 3.3);
+	x = -.1, y = 4;
+	chartmap_clamp(&m, 0, &x, &y);
+	assert_true(x == 0 && y == 3.3);
 }
 
 /* The map from the rectangle to the sock is conformal, and keeps the orientation. */
@@ -119,6 +140,7 @@ main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(round_trip),
 		cmocka_unit_test(the_circle_goes_round_the_sides),
+		cmocka_unit_test(the_sides_of_a_rectangle_are_kept),
 		cmocka_unit_test(the_map_is_conformal),
 		cmocka_unit_test(the_cones_of_a_flat_sock_are_found),
 	};

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "chartmap.h"
+#include "harmonic.h"
 
 /* ---- the rectangle and the disk -------------------------------------- */
 
@@ -54,12 +55,12 @@ sock_place(const ChartMap *m, double u, double v, double *x, double *y)
 }
 
 static void
-sock_clamp(const ChartMap *m, int on_border, double *x, double *y)
+sock_clamp(const ChartMap *m, int sides, double *x, double *y)
 {
 	double r = hypot(*x, *y);
 
 	(void)m;
-	if (r > 1 || (on_border && r > 0))
+	if (r > 1 || (sides && r > 0))
 		*x /= r, *y /= r;
 }
 
@@ -100,11 +101,10 @@ same(const ChartMap *m, double a, double b, double *x, double *y)
 }
 
 static void
-rectangle_clamp(const ChartMap *m, int on_border, double *x, double *y)
+rectangle_clamp(const ChartMap *m, int sides, double *x, double *y)
 {
-	(void)on_border;
-	*x = fmin(fmax(*x, 0), 1);
-	*y = fmin(fmax(*y, 0), m->T);
+	*x = sides & SIDE_LEFT ? 0 : sides & SIDE_RIGHT ? 1 : fmin(fmax(*x, 0), 1);
+	*y = sides & SIDE_BOTTOM ? 0 : sides & SIDE_TOP ? m->T : fmin(fmax(*y, 0), m->T);
 }
 
 ChartMap
@@ -118,7 +118,7 @@ chartmap_rectangle(double T)
 static const struct Functions {
 	const ChartKind *kind;
 	void (*place)(const ChartMap *m, double u, double v, double *x, double *y);
-	void (*clamp)(const ChartMap *m, int on_border, double *x, double *y);
+	void (*clamp)(const ChartMap *m, int sides, double *x, double *y);
 	void (*point)(const ChartMap *m, double place_x, double place_y, double *x, double *y);
 	void (*uv)(const ChartMap *m, double x, double y, double *u, double *v);
 } functions[] = {
@@ -143,9 +143,9 @@ chartmap_place(const ChartMap *m, double u, double v, double *x, double *y)
 }
 
 void
-chartmap_clamp(const ChartMap *m, int on_border, double *x, double *y)
+chartmap_clamp(const ChartMap *m, int sides, double *x, double *y)
 {
-	of(m)->clamp(m, on_border, x, y);
+	of(m)->clamp(m, sides, x, y);
 }
 
 void

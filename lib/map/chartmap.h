@@ -36,9 +36,13 @@ ChartMap chartmap_sock(double T, double complex a, double complex b);
 /* The place of the point (u,v) of the chart. */
 void chartmap_place(const ChartMap *m, double u, double v, double *x, double *y);
 
-/* Moves a place that is off by a rounding error, or by interpolation, to the nearest one; with on_border
- * to one on the boundary of the sock. */
-void chartmap_clamp(const ChartMap *m, int on_border, double *x, double *y);
+/* Moves a place that is off by a rounding error, or by interpolation, to the nearest one.
+ *
+ * sides  in  the sides of the chart on which the node lies, SIDE_BOTTOM .. (harmonic.h), 0 inside.  On a
+ *            rectangle its place is put exactly there: near a corner into which a dead end of the surface
+ *            is squeezed, the rounding error of a coordinate reaches far into the dead end.  On a sock the
+ *            place is put on the boundary if sides is not 0. */
+void chartmap_clamp(const ChartMap *m, int sides, double *x, double *y);
 
 /* The point (x,y) of the rectangle at a place, and the point (u,v) of the chart at a point of the
  * rectangle. */

@@ -5,6 +5,7 @@
 
 #include "../grid/bicubic.h"
 #include "gridlaplace.h"
+#include "harmonic.h"
 #include "inverse.h"
 #include "../grid/lambdah.h"
 #include "../grid/stencil.h"
@@ -46,11 +47,15 @@ sample(const Sampler *s, Grid *a)
 	return e;
 }
 
-/* Whether node p lies on an open side. */
+/* The open sides on which node p lies (harmonic.h). */
 static int
-on_border(Chart g, int p)
+sides_of(Chart g, int p)
 {
-	return !stencil_is_inner(g, p%g.nu, p/g.nu);
+	const int (*joined)[2] = g.kind->joined;
+	int i = p%g.nu, j = p/g.nu;
+
+	return (i == 0 && !joined[0][0] ? SIDE_LEFT : 0) | (i == g.nu - 1 && !joined[0][1] ? SIDE_RIGHT : 0)
+	    | (j == 0 && !joined[1][0] ? SIDE_BOTTOM : 0) | (j == g.nv - 1 && !joined[1][1] ? SIDE_TOP : 0);
 }
 
 int
@@ -67,7 +72,7 @@ grid_init(Grid *a, const ChartMap *map, int nu, int nv, const Sampler *s)
 	for (p = 0; p < n; p++) {
 		chartmap_place(map, (p%nu + 0.5*joined[0][0])/chart_steps(g, 0),
 		    g.T*((p/nu + 0.5*joined[1][0])/chart_steps(g, 1)), &a->x[p], &a->y[p]);
-		chartmap_clamp(map, on_border(g, p), &a->x[p], &a->y[p]);
+		chartmap_clamp(map, sides_of(g, p), &a->x[p], &a->y[p]);
 	}
 	if (!sample(s, a))
 		return 0;
@@ -121,7 +126,7 @@ resample(const Sampler *sampler, const Grid *a, const Shift *s, Grid *b)
 
 		b->x[p] = bicubic_value(&at, a->x);
 		b->y[p] = bicubic_value(&at, a->y);
-		chartmap_clamp(&a->map, on_border(a->g, p), &b->x[p], &b->y[p]);
+		chartmap_clamp(&a->map, sides_of(a->g, p), &b->x[p], &b->y[p]);
 	}
 	return sample(sampler, b);
 }
