@@ -101,6 +101,13 @@ has_positions(const Copy *c, int *e)
 	return i == n;
 }
 
+int
+rewrite_odd(const Copy *c)
+{
+	return mesh_fail(c->err, MESH_EFORMAT, "its vertices cannot be replaced: it is no OBJ or PLY that has them one to a "
+	    "line, or they are beyond a float");
+}
+
 static int
 copy(Copy *c, int is_ply)
 {
@@ -110,7 +117,7 @@ copy(Copy *c, int is_ply)
 		return e;
 	if (why == MESH_ENOMEM)
 		return why;
-	return mesh_fail(c->err, MESH_EFORMAT, "its vertices cannot be replaced: they are not one to a line, or beyond a float");
+	return rewrite_odd(c);
 }
 
 int

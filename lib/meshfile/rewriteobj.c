@@ -96,6 +96,8 @@ rewrite_obj(Copy *c)
 	for (p = c->p; p < c->end && !e; p = end) {
 		end = rewrite_line(c, p);
 		if (is_statement(p, end, "v")) {
+			if (v == c->s->nv)
+				return rewrite_odd(c);
 			e = obj_numbers(c, "v ", p, end, c->xyz + 3*(size_t)v);
 			v++;
 		} else if (is_statement(p, end, "vn")) {

@@ -74,6 +74,8 @@ ply_layout(Copy *c, Layout *l)
 		} else if (sscanf(line, "element %39s %lld", name, &count) == 2) {
 			if (!seen && element[0])
 				l->before += size;
+			if (count < 0 || count > c->end - c->p || l->before > c->end - c->p)
+				return rewrite_odd(c);
 			snprintf(element, sizeof element, "%.39s", name);
 			seen |= strcmp(element, "vertex") == 0;
 			size = l->ascii ? count : 0;
@@ -124,7 +126,9 @@ ply_binary(Copy *c, const Layout *l)
 	size_t from;
 	int i, k;
 
-	if (l->before > c->end - c->p || rewrite_append(c, c->p, (size_t)l->before))
+	if (l->before + (long long)c->s->nv*l->size > c->end - c->p)
+		return rewrite_odd(c);
+	if (rewrite_append(c, c->p, (size_t)l->before))
 		return MESH_ENOMEM;
 	c->p += l->before;
 	for (i = 0; i < c->s->nv; i++, c->p += l->size) {
@@ -168,7 +172,7 @@ ply_text(Copy *c, const Layout *l)
 	long long k;
 	int i, e = 0;
 
-	for (k = 0; !e && k < l->before; k++, c->p = end) {
+	for (k = 0; !e && k < l->before && c->p < c->end; k++, c->p = end) {
 		end = rewrite_line(c, c->p);
 		e = rewrite_append(c, c->p, (size_t)(end - c->p));
 	}

@@ -30,6 +30,9 @@ int rewrite_number(Copy *c, double x);
 const char *rewrite_line(const Copy *c, const char *p);
 const char *rewrite_word(const char *p, const char *end);
 
+/* Returns MESH_EFORMAT, with the message that the file is laid out in a way that it cannot be copied. */
+int rewrite_odd(const Copy *c);
+
 /* Copy the file: rewriteobj.c, rewriteply.c.  Return 0, MESH_ENOMEM, or MESH_EFORMAT with the reason in c->err. */
 int rewrite_obj(Copy *c);
 int rewrite_ply(Copy *c);
