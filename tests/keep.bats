@@ -98,6 +98,8 @@ setup_file() {
 	mkmesh -n 50 cap -o "$tmp/other.obj"
 	try 1 'the file has .* vertices, the mesh with \(u,v\) has 169' /dev/null \
 		grid2mesh --on "$tmp/uv.ply" --keep="$tmp/other.obj" "$tmp/phi" -o "$tmp/no.obj"
+	grid2mesh --on "$tmp/uv.ply" "$tmp/phi" -o "$tmp/other.off"
+	try 1 'it is no OBJ or PLY' /dev/null grid2mesh --on "$tmp/uv.ply" --keep="$tmp/other.off" "$tmp/phi" -o "$tmp/no.obj"
 	try 1 'is no PLY' /dev/null grid2mesh --on "$tmp/uv.ply" --keep="$tmp/model.obj" "$tmp/phi" -o "$tmp/no.ply"
 	try 2 'need -o FILE that ends in .obj or .ply' /dev/null \
 		grid2mesh --on "$tmp/uv.ply" --keep="$tmp/model.obj" "$tmp/phi" -o "$tmp/no.off"

@@ -81,6 +81,7 @@ refused(void **state)
 	(void)state;
 	refuses("v 9 9 9\nv 9 9 9\nv 9 9 9\nf 1 2 3\n", 4, "the file has 3 vertices, the mesh with (u,v) has 4");
 	refuses("v 9 9 9\nv 9 9 \\\n9\nv 9 9 9\nf 1 2 3\n", 3, "a statement is continued by \\ on the next line");
+	refuses("OFF\n3 1 0\n0 3 0\n.1 3 0\n0 3 0.3333333333333333\n3 0 1 2\n", 3, "it is no OBJ or PLY");
 	refuses("OFF\n3 1 0\n9 9 9\n9 9 9\n9 9 9\n3 0 1 2\n", 3, "its vertices cannot be replaced");
 }
 

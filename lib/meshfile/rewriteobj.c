@@ -107,5 +107,5 @@ rewrite_obj(Copy *c)
 		} else
 			e = rewrite_append(c, p, (size_t)(end - p));
 	}
-	return e;
+	return !e && v < c->s->nv ? rewrite_odd(c) : e;
 }
