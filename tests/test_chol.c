@@ -120,7 +120,7 @@ multiply(const System *s, const unsigned char *held, const double *x, double *y)
 	}
 }
 
-/* Checks that chol_solve with right-hand side A x returns x, for a random x, up to bound. */
+/* Checks that chol_solve and then chol_again with right-hand sides A x return x, for random x, up to bound. */
 static void
 check_solution(const System *s, const unsigned char *held, unsigned long long *seed, double bound)
 {
@@ -135,6 +135,12 @@ check_solution(const System *s, const unsigned char *held, unsigned long long *s
 	assert_int_equal(chol_init(&c, &s->g, s->order), 0);
 	assert_int_equal(chol_solve(&c, &a, y, &at), 0);
 	assert_int_equal(at, -7);
+	for (i = 0; i < s->g.n; i++)
+		assert_true(fabs(y[i] - x[i]) < bound);
+	for (i = 0; i < s->g.n; i++)
+		x[i] = noise(seed);
+	multiply(s, held, x, y);
+	assert_int_equal(chol_again(&c, y), 0);
 	for (i = 0; i < s->g.n; i++)
 		assert_true(fabs(y[i] - x[i]) < bound);
 	chol_free(&c);

@@ -30,7 +30,4 @@ typedef struct SphereMap {
 int  sphere_map(const Disk *d, const AdaptOptions *options, SphereMap *m, SpdReport *report);
 void sphere_free(SphereMap *m);
 
-/* sum over faces of area |mu|, and of the areas; the number of faces turned over. */
-void sphere_beltrami(const Mesh *m, Spinor *Z, double *mu, int *turned);
-
 #endif

@@ -55,4 +55,7 @@ typedef struct CholMatrix {
  * the first vertex, in the order of elimination, whose pivot is not positive. */
 int  chol_solve(Chol *c, const CholMatrix *a, double *x, int *at);
 
+/* Solves A x = b once more with the matrix of the last chol_solve, which returned 0.  Returns 0 or CHOL_ENOMEM. */
+int  chol_again(Chol *c, double *x);
+
 #endif

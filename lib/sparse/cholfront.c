@@ -206,3 +206,55 @@ chol_substitute(const Chol *c, int s, double *z, double *sum)
 	for (I = f.pivots - 1; I >= 0; I--)
 		solve_block(&f, I, sum, z + c->first[s]);
 }
+
+/* r -= a y for the eight rows and n columns of a row block a. */
+static void
+subtract_products(double r[PRODUCT_ROWS], const double *a, const double *y, int n)
+{
+	int i, k;
+
+	for (k = 0; k < n; k++, a += PRODUCT_ROWS)
+		for (i = 0; i < PRODUCT_ROWS; i++)
+			r[i] -= a[i]*y[k];
+}
+
+/* Forward substitution for the columns of row block J; y: the columns of the node. */
+static void
+forward_block(const Front *f, int J, double *y)
+{
+	const double *a = f->panel + front_panel(f, J);
+	double r[PRODUCT_ROWS] = { 0 };
+	int n = f->columns - PRODUCT_ROWS*J, i, k;
+
+	n = n < PRODUCT_ROWS ? n : PRODUCT_ROWS;
+	for (i = 0; i < n; i++)
+		r[i] = y[PRODUCT_ROWS*J + i];
+	subtract_products(r, a, y, PRODUCT_ROWS*J);
+	for (a += PRODUCT_ROWS*PRODUCT_ROWS*(size_t)J, k = 0; k < n; k++, a += PRODUCT_ROWS) {
+		y[PRODUCT_ROWS*J + k] = r[k]/a[k];
+		for (i = k + 1; i < n; i++)
+			r[i] -= a[i]*y[PRODUCT_ROWS*J + k];
+	}
+}
+
+void
+chol_forward(const Chol *c, int s, double *b)
+{
+	const int *row = c->row + c->below[s];
+	double *y = b + c->first[s], *a;
+	Front f = chol_front(c, s);
+	int n = f.rows - 1, I, i, k;
+
+	for (I = 0; I < f.pivots; I++)
+		forward_block(&f, I, y);
+	for (I = f.pivots; I < f.blocks; I++, row += PRODUCT_ROWS, n -= PRODUCT_ROWS) {
+		double r[PRODUCT_ROWS] = { 0 };
+
+		a = f.panel + front_panel(&f, I);
+		for (k = 0; n < PRODUCT_ROWS && k < f.columns; k++)
+			a[PRODUCT_ROWS*k + n] = y[k];
+		subtract_products(r, a, y, f.columns);
+		for (i = 0; i < PRODUCT_ROWS && i < n; i++)
+			b[row[i]] += r[i];
+	}
+}

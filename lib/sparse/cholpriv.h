@@ -26,6 +26,10 @@ void chol_fill_panel(const Chol *c, const CholMatrix *a, const double *b, int s,
 /* Adds the update of a child to the front f of node s.  Returns 0 or CHOL_ENOMEM. */
 int  chol_add_child(const Chol *c, int child, const double *update, int s, const Front *f);
 
+/* Forward substitution: replaces b at the columns of node s by L^-1 b, which becomes the right-hand side of the front,
+ * and subtracts its part from b at the rows below.  b is [n], by column. */
+void chol_forward(const Chol *c, int s, double *b);
+
 /* Back substitution: computes the solution z at the columns of node s from its values at the rows
  * below.  z is [n], by column.  sum is scratch, eight numbers for each column of the node. */
 void chol_substitute(const Chol *c, int s, double *z, double *sum);

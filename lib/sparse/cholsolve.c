@@ -239,3 +239,23 @@ chol_solve(Chol *c, const CholMatrix *a, double *x, int *at)
 	free(z);
 	return e;
 }
+
+int
+chol_again(Chol *c, double *x)
+{
+	Run r = { .c = c };
+	double *z = malloc((c->n + (size_t)1)*sizeof *z);
+	int p, s, e = z ? run_init(&r) : CHOL_ENOMEM;
+
+	for (p = 0; !e && p < c->n; p++)
+		z[p] = x[c->order[p]];
+	for (s = 0; !e && s < c->nodes; s++)
+		chol_forward(c, s, z);
+	if (!e)
+		e = substitute_all(&r, z);
+	for (p = 0; !e && p < c->n; p++)
+		x[c->order[p]] = z[p];
+	run_free(&r);
+	free(z);
+	return e;
+}
