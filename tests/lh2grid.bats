@@ -169,3 +169,17 @@ lhg.write(sys.argv[2], g)' "$tmp/lh" "$tmp/adrift"
 	try 2 'boundary' "$tmp/lh" lh2grid --boundary=loose
 	try 2 'surface method' "$tmp/lh" lh2grid --boundary=free --method=frame
 }
+
+@test "residual channels of a surface are fitted to 0; those of a blend cost no more steps than lambda and H alone" {
+	mkmesh -n 900 face | mesh2rect -q -n 32 -o "$tmp/one.phi"
+	mkmesh -n 700 face smile=0.8 nose=0.6 | mesh2rect -q -n 32 --like="$tmp/one.phi" | grid2lh --residual --no-place -o "$tmp/other"
+	grid2lh --residual --no-place "$tmp/one.phi" -o "$tmp/one"
+	lhinterp -q -t 0,0.5 "$tmp/one" "$tmp/other" -o "$tmp/blend"
+	lh2grid -v "$tmp/blend" -o "$tmp/back" 2>"$tmp/said"
+	lhinfo "$tmp/back" | awk '$2 == "misfit" { print $3 }' >"$tmp/misfit"
+	below "$(head -1 "$tmp/misfit")" 1e-12
+	run ! below "$(tail -1 "$tmp/misfit")" 1e-3         # near no surface
+	lhinfo "$tmp/back" | awk '$2 == "change" { print $3 }' >"$tmp/change"
+	below "$(head -1 "$tmp/change")" 1e-8
+	run ! below "$(tail -1 "$tmp/change")" 5e-7         # with the fine tolerance, 5e-9
+}

@@ -14,8 +14,8 @@
 #include "../shared/range.h"
 #include "surfacefit.h"
 
-/* With residual channels the tolerance is multiplied by this: an exact fit exists, and the last
- * steps converge fast. */
+/* With residual channels an exact fit may exist, to which the last steps converge fast.  The tolerance is
+ * multiplied by this; where the channels may be those of no surface, only once the misfit is near 0. */
 static const double EXACT = 1e-4;
 
 /* If the steps crept, the surface is refused when the sum of the changes of the last ten, over
@@ -265,7 +265,10 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 	if (read_residue(in, g, o, &residue)) {
 		s.residue = &residue;
 		s.exact = exact_holds(g);
-		how.tolerance = EXACT*(s.exact ? fmin(o->tolerance, USUAL) : o->tolerance);
+		if (s.exact)
+			how.tolerance = EXACT*fmin(o->tolerance, USUAL);
+		else
+			how.fine = EXACT*o->tolerance;
 	}
 	switch (surface(&s, &how, phi, at)) {
 	case 1:

@@ -125,6 +125,12 @@ remember(Past *past, double E, double moved)
 	past->moved[past->steps++%TEN] = moved;
 }
 
+static double
+tolerance_at(const FitOptions *o, double E, size_t nodes)
+{
+	return o->fine > 0 && E <= FIT_NEAR*nodes ? o->fine : o->tolerance;
+}
+
 /* A shortened step says nothing about convergence, unless the last ten steps together barely lowered
  * E or barely moved: with data that belong to no surface, steps can creep for ever.  Nor does a step
  * only just below the tolerance while E is still falling fast.  If CG reached its limit of steps, the
@@ -135,16 +141,17 @@ static int
 converged(const FitOptions *o, const Outcome *is, double E, size_t nodes, double moved, const Past *past)
 {
 	int then = past->steps%TEN, last = (past->steps - 1)%TEN;
+	double tolerance = tolerance_at(o, E, nodes);
 	double flat = o->exact && E <= FIT_EXACT*nodes ? 0 : is->spent ? STILL : FAST;
 
 	if (E < ROUNDING*nodes)
 		return FIT_CONVERGED;
 	if (past->steps >= TEN
-	    && (past->E[then] - E < CREEP*past->E[then] || moved - past->moved[then] < o->tolerance))
+	    && (past->E[then] - E < CREEP*past->E[then] || moved - past->moved[then] < tolerance))
 		return is->cut ? FIT_CREPT : FIT_CONVERGED;
 	if (is->cut)
 		return 0;
-	return is->change < (E > flat*past->E[last] ? 1 : SURE)*o->tolerance || is->predicted <= o->flat*E
+	return is->change < (E > flat*past->E[last] ? 1 : SURE)*tolerance || is->predicted <= o->flat*E
 	    ? FIT_CONVERGED : 0;
 }
 
@@ -177,7 +184,6 @@ fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 
 	if (fitsolve_init(&k, m))
 		return FIT_ENOMEM;
-	k.tolerance = o->tolerance;
 	blunt = o->sharpen && sharpness(m, phi) < 1;
 	set_weights(m, o->sharpen && !blunt);
 	if (o->exact) {
@@ -189,6 +195,7 @@ fit(Misfit *m, const FitOptions *o, double *phi, FitProgress *at)
 	at->energy = E = misfit_energy(m, phi);
 	while (!done && !k.error && at->step < o->most && isfinite(E)) {
 		remember(&past, E, moved);
+		k.tolerance = tolerance_at(o, E, (size_t)m->g.nu*m->g.nv);
 		is = step(&k, phi, &E);
 		moved += is.change;
 		at->step++;

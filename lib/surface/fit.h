@@ -39,12 +39,19 @@ typedef struct FitProgress {
  * or more times the square of the largest error over the area. */
 #define FIT_EXACT 1e-11
 
+/* E per node at which an exact fit is near.  With residues of real surfaces, a step that moves the surface by
+ * less than 5e-5 leaves at most 2e-4 of it, and a hundredth of that the next step; halfway between two real
+ * surfaces it stays between 1 and 40. */
+#define FIT_NEAR 1e-3
+
 typedef struct FitWeights {
 	double w, alpha;                /* w on a rectangle of area 1 */
 } FitWeights;
 
 typedef struct FitOptions {
 	double tolerance;               /* converged when change is smaller */
+	double fine;                    /* 0, or the tolerance once E is at most FIT_NEAR per node: residues may
+	                                 * have an exact fit, to which the last steps converge fast */
 	int    most;                    /* steps at most */
 	double flat;                    /* converged when the predicted decrease is below flat*E */
 	int    sharpen;                 /* adapt w and alpha to the data */

@@ -161,6 +161,7 @@ descend(const Surface *s, double unit, const Level *l, const FitOptions *o, doub
 	if (l->phi == finest)
 		return fit_finest(s, unit, l, NULL, &last, at);
 	coarse.tolerance = o->tolerance > ENOUGH ? o->tolerance : ENOUGH;
+	coarse.fine = 0;
 	coarse.most = ROUGH;
 	coarse.sharpen = 0;
 	coarse.flat = s->free ? FLAT : FLAT_COARSE;
