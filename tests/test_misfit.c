@@ -186,7 +186,7 @@ gradient_beyond_joined_sides(void **state)
 		for (k = 0; k < 3*N; k++)
 			phi[k] += e[k];
 		m = misfit_of(&residue);
-		assert_int_equal(misfit_set_firm(&m), 0);       /* matters on a chart with cones */
+		assert_int_equal(misfit_set_firm(&m, 0.05), 0);       /* matters on a chart with cones */
 		misfit_gradient(&m, phi, g);
 		for (k = 1; k < 5; k++) {
 			random_displacement(10 + k, 1, d);
@@ -229,7 +229,7 @@ lines_are_firm_beside_cones(void **state)
 		surface_of_size(1);
 		m = misfit_of(&residue);
 		plain = rise(&m);
-		assert_int_equal(misfit_set_firm(&m), 0);
+		assert_int_equal(misfit_set_firm(&m, 0.05), 0);
 		firm = rise(&m);
 		want = k ? 1 + 0.0025/(u*u + v*v) : 1;
 		assert_true(plain > 1e-6 && fabs(firm/plain - want) < 1e-6);

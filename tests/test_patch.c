@@ -121,7 +121,7 @@ patch_holds_the_cones(void **state)
 		m.w = 1e5;              /* or bending would drown the border's equations, which are of the metric */
 		if (k%2)
 			misfit_set_free(&m);
-		assert_int_equal(misfit_set_firm(&m), 0);
+		assert_int_equal(misfit_set_firm(&m, 0.05), 0);
 		check_correction(&m, k%2 ? 10 : 40, k/2 ? 600 : 90);
 		misfit_free(&m);
 	}

@@ -12,7 +12,6 @@ static const double FINEST = 2;         /* |H| is clipped so that n turns by at 
                                          * radians, over a cell */
 static const double BLUR = 1e-6;        /* smooths n where phi_u x phi_v is small, misfit.h */
 
-static const double FIRM = 0.05;        /* misfit_set_firm */
 
 static double
 clip(const Misfit *m, double lambda2, double l2H)
@@ -84,18 +83,18 @@ misfit_set_free(Misfit *m)
 }
 
 int
-misfit_set_firm(Misfit *m)
+misfit_set_firm(Misfit *m, double reach)
 {
 	int n = m->g.nu*m->g.nv, p, c;
 	double r;
 
-	if (m->g.kind->cones == 0)
+	if (m->g.kind->cones == 0 || !(reach > 0))
 		return 0;
 	m->firm = malloc(n*sizeof *m->firm);
 	for (p = 0; m->firm && p < n; p++) {
 		for (r = HUGE_VAL, c = 0; c < m->g.kind->cones; c++)
 			r = fmin(r, chart_from_cone(m->g, c, p));
-		m->firm[p] = 1 + FIRM*FIRM/(r*r);
+		m->firm[p] = 1 + reach*reach/(r*r);
 	}
 	return m->firm ? 0 : MISFIT_ENOMEM;
 }

@@ -97,12 +97,12 @@ void misfit_set_free(Misfit *m);
 
 /* For lambda and H that belong to no surface: on a chart with cones, multiplies the first two lines by
  *
- *   1 + (0.05/r)^2,    r the distance from the nearest cone, in units of u.
+ *   1 + (reach/r)^2,    r the distance from the nearest cone, in units of u.
  *
  * A spike like r^2 log r has finite energy without this, and infinite energy with it, as spikes of smooth
- * surfaces have.  Data of a surface have no spikes, and are fitted better without.  Returns 0 or
- * MISFIT_ENOMEM. */
-int  misfit_set_firm(Misfit *m);
+ * surfaces have.  Data of a surface have no spikes, and are fitted better without.  reach = 0 changes
+ * nothing.  Returns 0 or MISFIT_ENOMEM. */
+int  misfit_set_firm(Misfit *m, double reach);
 
 /* Holds the surface at a place and keeps the pointer place->phi; NULL: does not hold it any more.
  * Returns 0 or MISFIT_ENOMEM. */

@@ -18,6 +18,17 @@ enum { ROUGH = 12, STAGE = 4 }; /* most steps on coarse grids; for a surface bet
  * ones, where the interpolation to the next grid changes E by far more. */
 static const double FLAT = 1e-6, FLAT_COARSE = 1e-3;
 static const double WHOLE[2] = { 1, 1 };
+/* How far cones of filtered data are held firm (misfit_set_firm), in units of u, and where a place holds a closed
+ * surface, too. */
+static const double FIRM = 0.05, FIRM_PLACED = 0.025;
+
+static double
+firm_reach(const Surface *s, const Residue *residue, const MisfitPlace *place)
+{
+	if (!s->filtered || residue)
+		return 0;
+	return !place ? FIRM : s->g.kind->closed ? FIRM_PLACED : 0;
+}
 
 static int
 fit_level(const Surface *s, const Level *l, int finest, const MisfitPlace *place, const FitOptions *o,
@@ -31,7 +42,7 @@ fit_level(const Surface *s, const Level *l, int finest, const MisfitPlace *place
 		return SURFACE_ENOMEM;
 	if (s->free)
 		misfit_set_free(&m);
-	if (misfit_hold(&m, place) || (s->filtered && !place && !residue && misfit_set_firm(&m))) {
+	if (misfit_hold(&m, place) || misfit_set_firm(&m, firm_reach(s, residue, place))) {
 		misfit_free(&m);
 		return SURFACE_ENOMEM;
 	}
