@@ -20,7 +20,7 @@
 
 include config.mk
 
-CMD = mesh2disk mesh2rect grid2lh lhfft lhinterp lh2grid grid2mesh lhinfo lhdiff lh2png grid2html mkmesh
+CMD = mesh2disk mesh2rect grid2lh lhfft lhwarp lhinterp lh2grid grid2mesh lhinfo lhdiff lh2png grid2html mkmesh
 
 BUILD    := build$(if $(SANITIZE),/$(SANITIZE))
 export BUILD

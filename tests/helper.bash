@@ -5,7 +5,7 @@ BUILD=${BUILD:-build}
 PATH=$PWD/$BUILD/bin:$PATH
 export GOMP_SPINCOUNT=3000
 meshes=$(realpath -m "${LHGRID_MESHES:-../shared/meshes}")    # some tests change the folder
-commands="mesh2disk mesh2rect grid2lh lhfft lhinterp lh2grid grid2mesh lhinfo lhdiff lh2png grid2html mkmesh"
+commands="mesh2disk mesh2rect grid2lh lhfft lhwarp lhinterp lh2grid grid2mesh lhinfo lhdiff lh2png grid2html mkmesh"
 tmp=$BATS_FILE_TMPDIR
 
 # try EXIT PATTERN STDIN COMMAND...

@@ -23,7 +23,7 @@ static const double RAISE = 1.5;        /* alpha by this factor while |mu| is to
 enum { RAISES = 16, STEPS = 150 };
 
 /* The weights of distortion and of landmarks: normals only, with landmarks, landmarks only. */
-static const double ALPHA[2] = { 1, 0.3 }, BETA[2] = { 100, 30 };
+static const double ALPHA[2] = { 1, 0.3 }, BETA[2] = { 130, 50 };
 
 /* The coefficients of M modes among those of WARP_MODES, out or in. */
 static void

@@ -1,0 +1,124 @@
+/* find.c - the map of lhwarp: which quarter turn, and the map itself. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "../../lib/morph/warpturn.h"
+#include "find.h"
+
+static const double CLEARLY = 0.8;      /* best and second best way: the mismatch of the normals is at most
+                                         * this share */
+enum { TRIAL = 3 };                     /* levels to compare the ways */
+
+/* Both surfaces on the grid of the map, B turned, and the landmarks there. */
+typedef struct Laid {
+	WarpSurface a, b;
+	double    (*q)[2];
+	WarpTask    task;
+} Laid;
+
+static void
+failed(int e, const Side *b, const FindOptions *o)
+{
+	switch (e) {
+	case 0: return;
+	case WARP_ENOMEM: die("no memory for the map");
+	case WARP_EMU: die("%s: no map with |mu| below %g: a larger --max-mu, or other corners: mesh2rect --like", b->in.name,
+		o->mumax);
+	default: die("%s cannot be moved onto the other surface", b->in.name);
+	}
+}
+
+static void
+lay(const Side *a, const Side *b, int turns, const Marks *marks, const FindOptions *o, Laid *l)
+{
+	Chart g = b->chart, h = warpturn_chart(g, turns);
+	int nu = warp_nodes(a->g.nu), nv = warp_nodes(a->g.nv), i, c;
+	size_t n = (size_t)g.nu*g.nv;
+	double *turned = cmd_alloc(3*n, sizeof *turned);
+	const double *const phi[3] = { turned, turned + n, turned + 2*n };
+
+	for (c = 0; c < 3; c++)
+		warpturn_field(g, turns, b->phi[c], turned + c*n);
+	failed(warpsurface_init(&l->a, a->chart, (const double *const *)a->phi, nu, nv) ? WARP_ENOMEM : 0, b, o);
+	failed(warpsurface_init(&l->b, h, phi, nu, nv) ? WARP_ENOMEM : 0, b, o);
+	free(turned);
+	l->task = (WarpTask){ .a = &l->a, .b = &l->b, .T = a->g.T, .stretch = h.T/a->g.T, .normals = o->normals,
+	    .mumax = o->mumax };
+	l->q = NULL;
+	if (!marks)
+		return;
+	l->q = cmd_alloc(marks->n, sizeof *l->q);
+	for (i = 0; i < marks->n; i++) {
+		l->q[i][0] = marks->at[1][i][0];
+		l->q[i][1] = marks->at[1][i][1];
+		warpturn_point(g, turns, &l->q[i][0], &l->q[i][1]);
+		l->q[i][1] /= l->task.stretch;
+	}
+	l->task.marks = (WarpMarks){ marks->n, (const double (*)[2])marks->at[0], (const double (*)[2])l->q };
+}
+
+static void
+lift(Laid *l)
+{
+	warpsurface_free(&l->a);
+	warpsurface_free(&l->b);
+	free(l->q);
+}
+
+/* How badly B, so turned, fits: the distance of the landmarks as they are, or the mismatch of the normals
+ * after a trial. */
+static double
+misfit(const Side *a, const Side *b, int turns, const Marks *marks, const FindOptions *o)
+{
+	Laid l;
+	Warp w;
+	WarpFit fit;
+
+	lay(a, b, turns, marks, o, &l);
+	failed(marks ? warp_identity(&l.task, &w, &fit) : warp_find(&l.task, TRIAL, &w, &fit), b, o);
+	lift(&l);
+	return marks ? fit.marks : fit.apart;
+}
+
+/* The best way to lay B's chart onto A's, in quarter turns. */
+static int
+best_way(const Side *a, const Side *b, const Marks *marks, const FindOptions *o)
+{
+	double m[WARPTURN_WAYS], second = INFINITY;
+	int k, best = 0;
+
+	for (k = 0; k < WARPTURN_WAYS; k++) {
+		m[k] = misfit(a, b, k, marks, o);
+		best = m[k] < m[best] ? k : best;
+	}
+	for (k = 0; k < WARPTURN_WAYS; k++)
+		second = k != best && m[k] < second ? m[k] : second;
+	detail("%s turned by 0, 1, 2, 3 quarters: %s %.3f, %.3f, %.3f, %.3f", b->in.name,
+	    marks ? "landmarks apart" : "normals differ by", m[0], m[1], m[2], m[3]);
+	if (marks || m[best] <= CLEARLY*second)
+		return best;
+	if (!o->force)
+		die("%s fits %s in no way clearly better than in another (quarter turns 0 to 3: %.2f %.2f %.2f %.2f): "
+		    "--landmarks, or --force", b->in.name, a->in.name, m[0], m[1], m[2], m[3]);
+	note("%s fits %s in no way clearly better than in another (quarter turns 0 to 3: %.2f %.2f %.2f %.2f)", b->in.name,
+	    a->in.name, m[0], m[1], m[2], m[3]);
+	return best;
+}
+
+void
+find_map(const Side *a, const Side *b, const Marks *marks, const FindOptions *o, Found *f)
+{
+	Laid l;
+
+	cmd_progress("four quarter turns");
+	f->turns = best_way(a, b, marks, o);
+	if (f->turns)
+		note("%s is turned by %d quarter%s to fit", b->in.name, f->turns, f->turns == 1 ? "" : "s");
+	cmd_progress("map");
+	lay(a, b, f->turns, marks, o, &l);
+	f->stretch = l.task.stretch;
+	failed(warp_identity(&l.task, &f->warp, &f->before), b, o);
+	failed(warp_find(&l.task, WARP_LEVELS, &f->warp, &f->after), b, o);
+	lift(&l);
+	cmd_progress_end();
+}
