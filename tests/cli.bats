@@ -132,6 +132,7 @@ for line in open(sys.argv[1]):
 	done
 	try 2 'operand two is one too many' /dev/null lhfft -K 1 one two
 	try 2 '1 operand missing'           /dev/null lhinterp -t 0 one
+	try 2 '1 operand missing'           /dev/null lhwarp one
 	try 2 '2 operands missing'          /dev/null lhdiff
 	try 2 '.'                           /dev/null mkmesh
 	try 2 '.'                           /dev/null mkmesh nosuchkind

@@ -25,6 +25,7 @@ damage() {
 @test "grid2mesh" { damage cut "$tmp/phi" grid2mesh;  damage change "$tmp/phi" grid2mesh; }
 @test "lhfft"     { damage cut "$tmp/lh" lhfft -K 1;  damage change "$tmp/lh" lhfft -K 1; }
 @test "lh2grid"   { damage cut "$tmp/lh" lh2grid;     damage change "$tmp/lh" lh2grid; }
+@test "lhwarp"    { damage cut "$tmp/phi" lhwarp --force "$tmp/phi" -; }
 @test "lhinterp"  { damage cut "$tmp/lh" lhinterp -t 0 - "$tmp/lh"; }
 @test "lh2png"    { damage cut "$tmp/lh" lh2png --bare --size=1; damage change "$tmp/lh" lh2png --bare --size=1; }
 @test "grid2html" {

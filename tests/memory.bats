@@ -44,6 +44,7 @@ share=4
 }
 @test "grid2lh"   { short_of $share grid2lh "$tmp/phi"; short_of $share grid2lh --residual "$tmp/phi"; }
 @test "lhfft"     { short_of $share lhfft -K 1 "$tmp/lh"; short_of $share lhfft -K 1 --basis=dft --spectrum="$tmp/table" "$tmp/lh"; }
+@test "lhwarp"    { short_of $share lhwarp -q --force "$tmp/phi" "$tmp/phi"; }
 @test "lhinterp"  { short_of $share lhinterp -t 0.5 "$tmp/lh" "$tmp/lh"; short_of $share lhinterp --cap -w 1 "$tmp/lh" "$tmp/lh" "$tmp/lh"; }
 @test "lhinfo"    { short_of $share lhinfo "$tmp/lh"; short_of $share lhinfo --json "$tmp/lh"; }
 @test "lh2png"    { short_of $share lh2png "$tmp/lh"; short_of $share lh2png -c all "$tmp/lh"; }

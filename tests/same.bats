@@ -11,9 +11,10 @@ setup_file() {
 	mesh2rect -n 96 --uv=uv.ply face.off -o phi     # so many nodes that sums use several threads
 	grid2lh --residual phi -o lh
 	mesh2rect -n 24 face.off | grid2lh -o small.lh
+	mkmesh -n 2000 face smile=0.8 | mesh2rect -q -n 96 --like=phi -o other
 	awk 'NR == 2 { nv = $1; print $1, $2 - 40, 0; next } NR < nv + 1000 || NR >= nv + 1040' face.off >hole.off
 	mkdir there
-	cp hole.off face.off uv.ply phi lh small.lh there
+	cp hole.off face.off uv.ply phi other lh small.lh there
 }
 
 # same COMMAND...: checks that stdout and stderr of COMMAND do not depend on threads, folder or locale.
@@ -37,6 +38,7 @@ same() {
 @test "mesh2rect" { same mesh2rect -n 96 face.off; same mesh2rect -v -n 24 --surface=facets --split=2 face.off; }
 @test "grid2lh"   { same grid2lh --residual phi; same grid2lh -v phi; }
 @test "lhfft"     { same lhfft -v -K 0.5,2 lh; same lhfft --energy=0.9 --basis=dft lh; }
+@test "lhwarp"    { same lhwarp -v phi other; }
 @test "lhinterp"  { same lhinterp -n 3 lh lh; }
 @test "lh2grid"   { same lh2grid lh; same lh2grid --no-start --ideal small.lh; same lh2grid --method=frame small.lh; }
 @test "grid2mesh" { same grid2mesh phi; same grid2mesh --on uv.ply phi; }
