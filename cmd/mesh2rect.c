@@ -166,6 +166,8 @@ map_disk(const Disk *d, const int corner[4], Chart g, const ConformalOptions *op
 	case CONFORMAL_ECOARSE:
 		die("triangles of the mesh are too large on the sphere: a larger --split, or a smaller --tolerance");
 	case CONFORMAL_ECONES:
+		if (d->nb == 0 && options->cone[0] < 0)
+			die("the surface is so long, or its limbs are, that points cannot be told apart on the sphere: cut it");
 		if (d->nb == 0)
 			die("the three cones cannot be told apart on the sphere: other --cones");
 		if (options->cone[0] < 0)

@@ -405,6 +405,28 @@ normals_point_outwards(void **state)
 	mesh_free(&m);
 }
 
+/* A needle, 20 times as long as thick: its tips are 1e-11 wide on the sphere. */
+static void
+a_needle_is_refused(void **state)
+{
+	Mesh mesh = closed_sphere(5, 0);
+	SphereMap m;
+	SphereCones c;
+	SpdReport report;
+	Disk d;
+	int i;
+
+	(void)state;
+	for (i = 0; i < mesh.nv; i++)
+		mesh.xyz[3*i+2] *= 20;
+	assert_int_equal(closed_disk(&mesh, &d), 0);
+	assert_int_equal(sphere_map(&d, &PLAIN, &m, &report), 0);
+	assert_int_equal(spherecones(&m.mesh.d.m, m.Z, NULL, &c), SPHERECONES_EEQUAL);
+	sphere_free(&m);
+	disk_free(&d);
+	mesh_free(&mesh);
+}
+
 static void
 few_vertices_are_enough(void **state)
 {
@@ -432,6 +454,7 @@ main(void)
 		cmocka_unit_test(the_gradient_of_chi2_is_that_of_its_values),
 		cmocka_unit_test(a_torus_is_refused_with_its_handle),
 		cmocka_unit_test(normals_point_outwards),
+		cmocka_unit_test(a_needle_is_refused),
 		cmocka_unit_test(few_vertices_are_enough),
 	};
 

@@ -10,6 +10,8 @@ enum {
 	MANY   = 8192,
 	STARTS = 6
 };
+static const double DEEP = 1e12;        /* chi^2 from which on limbs are lost in rounding: areas on the sphere, whose points
+                                         * have sixteen digits, are as small as 1e-24 */
 
 /* ---- starts ---------------------------------------------------------- */
 
@@ -129,8 +131,9 @@ spherecones(const Mesh *m, Spinor *Z, const int *given, SphereCones *c)
 		return SPHERECONES_ENOMEM;
 	s.p = &many;
 	e = begin_search(m, Z, given, &s);
+	if (!e && !((c->chi2 = exp(conesearch_descend(&s))) < DEEP))
+		e = SPHERECONES_EEQUAL;
 	if (!e) {
-		c->chi2 = exp(conesearch_descend(&s));
 		conemap_three(s.P, s.T, &c->map);
 		if (!given)
 			exchange(&c->map);

@@ -10,7 +10,10 @@
 #include "conemap.h"
 #include "../mesh/mesh.h"
 
-enum { SPHERECONES_ENOMEM = -1, SPHERECONES_EEQUAL = -2 /* two cones cannot be told apart */ };
+enum {
+	SPHERECONES_ENOMEM = -1,
+	SPHERECONES_EEQUAL = -2         /* two of the given cones, or the points of limbs, cannot be told apart */
+};
 
 typedef struct SphereCones {
 	ConeMap map;

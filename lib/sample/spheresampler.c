@@ -150,6 +150,8 @@ half_init(SphereSampler *s, const Disk *d, const Subdivision *mesh, double compl
 	if (!a->u || !a->v || !a->rough || restrict_to(&mesh->d, Z, h, &a->fine.d)
 	    || (smooth && restrict_to(d, Z, h, &a->part)))
 		return SPHERESAMPLER_ENOMEM;
+	if (!a->fine.d.m.nf || (smooth && !a->part.m.nf))
+		return SPHERESAMPLER_ECOARSE;
 	place_vertices(a, nv, Z, h);
 	if (sampler_init(&a->s, smooth ? &a->part : &a->fine.d, a->u, a->v, 1, surface))
 		return SPHERESAMPLER_ENOMEM;

@@ -17,7 +17,8 @@
 
 enum {
 	SPHERESAMPLER_ENOMEM = -1,
-	SPHERESAMPLER_ECOARSE = -2      /* a face of the finer mesh has a side longer than 45 degrees */
+	SPHERESAMPLER_ECOARSE = -2      /* a face of the finer mesh has a side longer than 45 degrees, or a half
+	                                 * of the sphere has no faces */
 };
 
 typedef struct SphereHalf {
