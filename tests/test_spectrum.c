@@ -1,7 +1,6 @@
 /* test_spectrum.c - spectrum.h: Fourier coefficients; filter.h: filters that drop some of them. */
 #include "cmock.h"
 
-#include "../lib/morph/blend.h"
 #include "../lib/scales/borderpart.h"
 #include "../lib/scales/filter.h"
 #include "surfaces.h"
@@ -439,22 +438,6 @@ bound_zero_keeps_every_bit(void **state)
 	assert_memory_equal(f, g, sizeof f);
 }
 
-static void
-blend_meets_its_ends(void **state)
-{
-	double a[N], b[N], f[N];
-
-	(void)state;
-	random_field(a, 7);
-	random_field(b, 8);
-	blend(N, 0, a, b, f);
-	assert_true(largest(N, a, f) == 0);
-	blend(N, 1, a, b, f);
-	assert_true(largest(N, b, f) == 0);
-	blend(N, 0.25, a, b, f);
-	assert_true(fabs(f[9] - (0.75*a[9] + 0.25*b[9])) < 1e-15);
-}
-
 int
 main(void)
 {
@@ -473,7 +456,6 @@ main(void)
 		cmocka_unit_test(log_keeps_the_border_part),
 		cmocka_unit_test(filter_projects),
 		cmocka_unit_test(bound_zero_keeps_every_bit),
-		cmocka_unit_test(blend_meets_its_ends),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
