@@ -28,7 +28,8 @@ turned() {
 for c in g.channels:
     f = g[c]
     f = np.roll(f, g.nu//2, 1) if k & 1 else f
-    g[c][...] = (f[::-1, ::-1] if k & 2 else f).copy()
+    f = f[::-1, ::-1] if k & 2 else f
+    g[c][...] = -f if k & 2 and c in ("tau1", "tau2") else f.copy()
 lhg.write(sys.argv[2], [g])' "$@"
 }
 
@@ -121,7 +122,12 @@ assert (a["lambda"] == b["lambda"]).all() and (a["H"] == b["H"]).all()' "$tmp/pe
 		turned "$tmp/pear.lh" "$tmp/other" $k
 		order=$(echo 2,1,4,3 3,4,1,2 4,3,2,1 | cut -d' ' -f$k)
 		try 0 "other fits .*pear.lh better with its cones in the order $order " /dev/null \
-			lhinterp --align -t 0 "$tmp/pear.lh" "$tmp/other"
+			lhinterp -t 0 "$tmp/pear.lh" "$tmp/other"
+		turned "$tmp/pear.res" "$tmp/other" $k
+		try 0 "other is laid on with its cones in the order $order: " /dev/null \
+			lhinterp --align -t 1 "$tmp/pear.res" "$tmp/other" -o "$tmp/onto"
+		python 'a, b = map(grid, sys.argv[1:])
+assert max(abs(a[c] - b[c]).max() for c in a.channels) < 1e-12' "$tmp/pear.res" "$tmp/onto"
 	done
 	python 'g = grid(sys.argv[1])
 R = np.array([[0, -.6, .8], [1, 0, 0], [0, .8, .6]])

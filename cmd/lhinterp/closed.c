@@ -1,6 +1,7 @@
 /* closed.c - the fit of one closed surface to another, and of its cones. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "../../lib/base/procrustes.h"
 #include "closed.h"
@@ -81,10 +82,13 @@ fit(const Lhg *g, const Nodes *a, const Nodes *b, int k, Rigid *r)
 	return rms;
 }
 
-static void
-check_cones(const Source *A, const Nodes *a, const Source *B, const Nodes *b, int aligned)
+/* The cones of the pillow in their order after each way. */
+static const char *const ORDER[TURNS] = { "", "2,1,4,3", "3,4,1,2", "4,3,2,1" };
+
+/* The way to turn b that fits a clearly better than none, or 0. */
+static int
+choose_way(const Source *A, const Nodes *a, const Source *B, const Nodes *b, int aligned)
 {
-	static const char *const how[TURNS] = { "", "2,1,4,3", "3,4,1,2", "4,3,2,1" };
 	double rms[TURNS], angle[TURNS];
 	int k, best;
 	Rigid r;
@@ -94,29 +98,58 @@ check_cones(const Source *A, const Nodes *a, const Source *B, const Nodes *b, in
 		angle[k] = rms[k] < HUGE_VAL ? rigid_angle(&r) : M_PI;
 	}
 	best = turns_better(rms, angle, aligned);
-	if (best)
-		note("%s fits %s better with its cones in the order %s (mesh2rect --like): the surfaces are then %.2g of their "
-		    "size apart after a rotation by %.0f degrees, now %.2g after %.0f", B->in.name, A->in.name, how[best], rms[best],
-		    angle[best]*180/M_PI, rms[0], angle[0]*180/M_PI);
+	if (best && aligned)
+		note("%s is laid on with its cones in the order %s: the surfaces are then %.2g of their size apart, otherwise "
+		    "%.2g", B->in.name, ORDER[best], rms[best], rms[0]);
+	else if (best)
+		note("%s fits %s better with its cones in the order %s (--align): the surfaces are then %.2g of their size "
+		    "apart after a rotation by %.0f degrees, now %.2g after %.0f", B->in.name, A->in.name, ORDER[best],
+		    rms[best], angle[best]*180/M_PI, rms[0], angle[0]*180/M_PI);
+	return best;
+}
+
+/* Turns the fields of g in the way k.  They are the same at a point and its image, except tau1 and tau2, which belong to
+ * the directions of u and v. */
+static void
+turn_fields(Lhg *g, int k)
+{
+	int n = g->nu*g->nv, p;
+	double *f = cmd_alloc(n, sizeof *f), sign;
+	LhgChannel *c;
+
+	for (c = g->chan; c < g->chan + g->nchan; c++) {
+		sign = k & 2 && (strcmp(c->name, "tau1") == 0 || strcmp(c->name, "tau2") == 0) ? -1 : 1;
+		for (p = 0; p < n; p++)
+			f[p] = sign*c->f[turned(g, k, p)];
+		memcpy(c->f, f, n*sizeof *f);
+	}
+	free(f);
+}
+
+static void
+align(const Source *A, const Nodes *a, Source *B, const Nodes *b, int k)
+{
+	Rigid r;
+	double rms = fit(&A->g, a, b, k, &r);
+
+	if (!(rms < HUGE_VAL))
+		die("%s cannot be moved onto %s", B->in.name, A->in.name);
+	turn_fields(&B->g, k);
+	positions_move(&B->g, &r);
+	detail("%s turned by %.4g degrees and moved by (%g,%g,%g): nodes %.3g of the size apart (rms)", B->in.name,
+	    rigid_angle(&r)*180/M_PI, r.t[0], r.t[1], r.t[2], rms);
 }
 
 void
 closed_fit(const Source *A, Source *B, int aligned)
 {
 	Nodes a = { 0 }, b = { 0 };
-	double rms;
-	Rigid r;
+	int k;
 
 	if (nodes_init(&a, &A->g) && nodes_init(&b, &B->g)) {
-		check_cones(A, &a, B, &b, aligned);
-		rms = fit(&A->g, &a, &b, 0, &r);
-		if (aligned && !(rms < HUGE_VAL))
-			die("%s cannot be moved onto %s", B->in.name, A->in.name);
-		if (aligned) {
-			positions_move(&B->g, &r);
-			detail("%s turned by %.4g degrees and moved by (%g,%g,%g): nodes %.3g of the size apart (rms)", B->in.name,
-			    rigid_angle(&r)*180/M_PI, r.t[0], r.t[1], r.t[2], rms);
-		}
+		k = choose_way(A, &a, B, &b, aligned);
+		if (aligned)
+			align(A, &a, B, &b, k);
 	} else if (aligned)
 		die("%s: --align needs the channels start.x start.y start.z: run grid2lh without --no-lattice",
 			a.x ? B->in.name : A->in.name);
