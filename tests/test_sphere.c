@@ -405,6 +405,28 @@ normals_point_outwards(void **state)
 	mesh_free(&m);
 }
 
+/* Limbs count by their area on the surface, not on the sphere: a spindle, 8 times as long as thick. */
+static void
+limbs_are_split_too(void **state)
+{
+	Mesh mesh = closed_sphere(5, 0);
+	SphereMap m;
+	SphereCones c;
+	Disk d;
+	int i;
+
+	(void)state;
+	for (i = 0; i < mesh.nv; i++)
+		mesh.xyz[3*i+2] *= 8;
+	map_mesh(&mesh, &FINE, &d, &m);
+	assert_true(m.certificate <= FINE.tolerance && m.mu < 0.03);
+	assert_int_equal(spherecones(&m.mesh.d.m, m.Z, NULL, &c), 0);
+	assert_true(c.chi2 < 1.2 && c.map.T > 2.7 && c.map.T < 2.9);
+	sphere_free(&m);
+	disk_free(&d);
+	mesh_free(&mesh);
+}
+
 /* A needle, 20 times as long as thick: its tips are 1e-11 wide on the sphere. */
 static void
 a_needle_is_refused(void **state)
@@ -454,6 +476,7 @@ main(void)
 		cmocka_unit_test(the_gradient_of_chi2_is_that_of_its_values),
 		cmocka_unit_test(a_torus_is_refused_with_its_handle),
 		cmocka_unit_test(normals_point_outwards),
+		cmocka_unit_test(limbs_are_split_too),
 		cmocka_unit_test(a_needle_is_refused),
 		cmocka_unit_test(few_vertices_are_enough),
 	};

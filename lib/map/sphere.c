@@ -95,7 +95,8 @@ refine(SphereMap *m, const AdaptOptions *o)
 
 	e = terms && marked ? 0 : SPD_ENOMEM;
 	for (m->certificate = 0, t = 0; !e && t < nf; t++)
-		m->certificate += (terms[t] = sphereface_term(&m->mesh.d.m, m->Z, t))/(4*M_PI);
+		m->certificate += terms[t] = sphereface_term(&m->mesh.d.m, m->Z, t);
+	m->certificate /= mesh_area(&m->mesh.d.m);
 	if (!e && m->certificate > o->tolerance && nv < o->most) {
 		least = worst_terms(terms, nf, (o->most - nv)/2, terms + nf);
 		for (t = 0; t < nf; t++)

@@ -19,8 +19,11 @@
 typedef struct SphereMap {
 	Subdivision mesh;       /* the triangulation of the last solve */
 	Spinor     *Z;          /* [mesh.d.m.nv] */
-	double      certificate;        /* of linear elements: Dirichlet energy over area of the image, minus 1 */
-	double      mu;         /* the mean of |mu| over the surface, mu the Beltrami coefficient of the faces */
+	double      certificate;        /* of linear elements: the mean of 2 |mu|^2 over the surface, mu the Beltrami
+	                         * coefficient of the faces.  It is about the Dirichlet energy over the area
+	                         * of the image, minus 1, if all parts of the surface are scaled to their area;
+	                         * on the sphere limbs are so small that they would not count */
+	double      mu;         /* the mean of |mu| over the surface */
 	int         turned;     /* faces of mesh that are turned over on the sphere */
 	int         quadratic;  /* 1 if the last solve was with quadratic elements */
 } SphereMap;

@@ -43,34 +43,37 @@ sphereface_area2(const Mesh *m, int t)
 	return s.length*s.height;
 }
 
-void
-sphereface_beltrami(const Mesh *m, Spinor *Z, double *mu, int *turned)
-{
-	double sum = 0, all = 0, area, small;
-	double complex fz, fzbar;
-	Shape s;
-	int t;
-
-	for (*turned = 0, t = 0; t < m->nf; t++) {
-		s = shape_of(m, t);
-		derivatives(m, Z, t, &s, &fz, &fzbar);
-		area = s.length*s.height/2;
-		small = cabs(fzbar) < cabs(fz) ? cabs(fzbar)/cabs(fz) : 1;
-		*turned += small == 1;
-		sum += area*small;
-		all += area;
-	}
-	*mu = sum/all;
-}
-
-/* The energy of face t less the area of its image, on the unit sphere, whose element at 0 is 2 |dz|:
- * 4 (|f_z|^2 + |f_zbar|^2) A - 4 (|f_z|^2 - |f_zbar|^2) A. */
-double
-sphereface_term(const Mesh *m, Spinor *Z, int t)
+/* |mu| of a face, at most 1, and its area. */
+static double
+beltrami(const Mesh *m, Spinor *Z, int t, double *area)
 {
 	Shape s = shape_of(m, t);
 	double complex fz, fzbar;
 
 	derivatives(m, Z, t, &s, &fz, &fzbar);
-	return 4*s.length*s.height*(creal(fzbar)*creal(fzbar) + cimag(fzbar)*cimag(fzbar));
+	*area = s.length*s.height/2;
+	return cabs(fzbar) < cabs(fz) ? cabs(fzbar)/cabs(fz) : 1;
+}
+
+double
+sphereface_term(const Mesh *m, Spinor *Z, int t)
+{
+	double area, mu = beltrami(m, Z, t, &area);
+
+	return 2*mu*mu*area;
+}
+
+void
+sphereface_beltrami(const Mesh *m, Spinor *Z, double *mu, int *turned)
+{
+	double sum = 0, all = 0, area, here;
+	int t;
+
+	for (*turned = 0, t = 0; t < m->nf; t++) {
+		here = beltrami(m, Z, t, &area);
+		*turned += here == 1;
+		sum += area*here;
+		all += area;
+	}
+	*mu = sum/all;
 }

@@ -8,8 +8,8 @@
 /* Twice the area of face t on the surface. */
 double sphereface_area2(const Mesh *m, int t);
 
-/* The energy of face t less the area of its image, on the unit sphere.  It is >= 0, and 0 only if the face is mapped
- * conformally. */
+/* 2 |mu|^2 times the area of face t, mu its Beltrami coefficient, |mu| at most 1.  For small mu, 2 |mu|^2 is the Dirichlet
+ * energy over the area of the image, minus 1. */
 double sphereface_term(const Mesh *m, Spinor *Z, int t);
 
 /* The mean of |mu| over the surface, mu the Beltrami coefficient of the faces, at most 1; and the number of faces
