@@ -8,7 +8,8 @@
 
 static const char head[] =
 "usage: mkmesh [-n VERTICES] [--seed=S] [-o FILE] KIND [NAME=VALUE ...] >mesh.off\n"
-"Writes an unstructured triangle mesh of a surface phi(x,y) over a plane domain, a disk: as\n"
+"Writes an unstructured triangle mesh of a surface phi(x,y) over a plane domain, a disk, or of a\n"
+"closed surface over the unit sphere, as\n"
 "{stdout} to stdout, or to FILE in the format that its name ends in, {ends}.\n"
 "Faces are counterclockwise seen from the side to which the normal phi_x cross phi_y points;\n"
 "that is the outside of closed surfaces.  Vertices 0 1 2 3 are the corners of the domain,\n"

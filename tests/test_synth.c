@@ -75,6 +75,19 @@ check_formulas(const Synth *s)
 	}
 }
 
+static int
+is_closed(const SynthKind *k)
+{
+	SynthDomain d = { .shape = SYNTH_RECT };
+	double p[SYNTH_MAXPAR];
+	int i;
+
+	for (i = 0; i < SYNTH_MAXPAR; i++)
+		p[i] = k->par[i].value;
+	k->domain(p, &d);
+	return d.shape == SYNTH_SPHERE;
+}
+
 static void
 formulas_match_differences(void **state)
 {
@@ -174,7 +187,7 @@ parameters_are_checked(void **state)
 	Synth s;
 
 	(void)state;
-	assert_int_equal(synth_init(&s, "sphere"), -1);
+	assert_int_equal(synth_init(&s, "ball"), -1);
 	assert_int_equal(synth_init(&s, ""), -1);
 	assert_int_equal(synth_init(&s, "sector"), 0);
 	assert_int_equal(synth_set(&s, "R", 1), SYNTH_EPAR);
@@ -285,7 +298,7 @@ meshes_are_disks(void **state)
 
 	(void)state;
 	for (i = 0; (k = synth_kind(i)); i++)
-		for (j = 0; j < 3; j++) {
+		for (j = 0; j < 3 && !is_closed(k); j++) {
 			synth_init(&s, k->name);
 			assert_int_equal(synth_mesh(&s, size[j], 5, &m, NULL), 0);
 			assert_true(abs(m.nv - size[j]) <= size[j]/10);
@@ -312,7 +325,8 @@ few_vertices(void **state)
 			assert_true(err == 0 || err == SYNTH_EMESH);
 			if (err)
 				continue;
-			check_disk(&m);
+			if (!is_closed(k))
+				check_disk(&m);
 			mesh_free(&m);
 		}
 }
@@ -360,6 +374,8 @@ vertices_lie_on_the_surface(void **state)
 		}
 		for (f = 0; f < m.nf; f++) {
 			t = m.tri + 3*f;
+			if (is_closed(k))
+				continue;       /* closed_meshes */
 			area = (xy[2*t[1]] - xy[2*t[0]])*(xy[2*t[2]+1] - xy[2*t[0]+1])
 				- (xy[2*t[2]] - xy[2*t[0]])*(xy[2*t[1]+1] - xy[2*t[0]+1]);
 			assert_true(area > 0);
@@ -373,11 +389,53 @@ vertices_lie_on_the_surface(void **state)
 			with += dot3(n, e) > 0;
 			assert_true(dot3(n, e) > 0);
 		}
-		check_corners(&d, xy);
+		if (!is_closed(k))
+			check_corners(&d, xy);
 		mesh_free(&m);
 		free(xy);
 	}
 	assert_true(with > 0);
+}
+
+/* Closed kinds give closed meshes, as even as the others, with the normal outwards, of the volume of their surface. */
+static void
+closed_meshes(void **state)
+{
+	static const struct { const char *kind; double volume; } at[] = { { "sphere", 4*M_PI/3 },
+		{ "ellipsoid", 4*M_PI/3*1.5*0.7 }, { "bumpy", 0 } };
+	static const int size[] = { 50, 400, 6000 };
+	double n[3], volume;
+	Synth s;
+	Mesh m;
+	size_t i;
+	int j, f, q, *partner;
+
+	(void)state;
+	for (i = 0; i < 3; i++)
+		for (j = 0; j < 3; j++) {
+			assert_int_equal(synth_init(&s, at[i].kind), 0);
+			assert_true(is_closed(s.kind));
+			assert_int_equal(synth_mesh(&s, size[j], 5, &m, NULL), 0);
+			assert_true(abs(m.nv - size[j]) <= size[j]/10);
+			assert_int_equal(m.nv - m.nf/2, 2);
+			assert_true(least_angle(&m) > (j ? 10 : 5));
+			partner = calloc(3*(size_t)m.nf, sizeof *partner);
+			for (volume = 0, f = 0; f < m.nf; f++) {
+				cross3(m.xyz + 3*m.tri[3*f], m.xyz + 3*m.tri[3*f+1], n);
+				volume += dot3(n, m.xyz + 3*m.tri[3*f+2])/6;
+			}
+			for (f = 0; j == 1 && f < 3*m.nf; f++)  /* each side has its opposite */
+				for (q = 0; q < 3*m.nf; q++)
+					partner[f] += m.tri[q] == m.tri[f - f%3 + (f+1)%3] &&
+					    m.tri[q - q%3 + (q+1)%3] == m.tri[f];
+			for (f = 0; j == 1 && f < 3*m.nf; f++)
+				assert_int_equal(partner[f], 1);
+			assert_true(volume > 0);
+			if (at[i].volume > 0)
+				assert_true(fabs(volume/at[i].volume - 1) < 12./size[j]);
+			free(partner);
+			mesh_free(&m);
+		}
 }
 
 static void
@@ -495,6 +553,7 @@ main(void)
 		cmocka_unit_test(meshes_are_disks),
 		cmocka_unit_test(few_vertices),
 		cmocka_unit_test(vertices_lie_on_the_surface),
+		cmocka_unit_test(closed_meshes),
 		cmocka_unit_test(equal_seeds_give_equal_meshes),
 		cmocka_unit_test(area_converges),
 		cmocka_unit_test(meshes_are_even),

@@ -1,4 +1,5 @@
 /* synth.c - the kinds of surfaces by name, their parameters and domains. */
+#include <math.h>
 #include <string.h>
 
 #include "synth_shapes.h"
@@ -6,7 +7,7 @@
 const SynthKind *
 synth_kind(int i)
 {
-	const SynthKind *const tables[] = { synth_shapes, synth_strips, synth_reliefs };
+	const SynthKind *const tables[] = { synth_shapes, synth_strips, synth_reliefs, synth_closed };
 	const SynthKind *k;
 	size_t t;
 
@@ -64,7 +65,7 @@ synth_domain(const Synth *s, SynthDomain *d)
 	h = d->y1 - d->y0;
 	if (!(w > 0 && h > 0))
 		return SYNTH_EDOMAIN;
-	d->T = !s->kind->lambda ? 0 : d->shape == SYNTH_RECT ? h/w : w == h ? 1 : 0;
+	d->T = !s->kind->lambda || d->shape == SYNTH_SPHERE ? 0 : d->shape == SYNTH_RECT ? h/w : w == h ? 1 : 0;
 	return 0;
 }
 
@@ -76,6 +77,8 @@ synth_inside(const SynthDomain *d, double x, double y)
 
 	if (d->shape == SYNTH_OVAL)
 		return (x-cx)*(x-cx)/(a*a) + (y-cy)*(y-cy)/(b*b) <= 1;
+	if (d->shape == SYNTH_SPHERE)
+		return hypot(x - (x > SYNTH_FAR/2. ? SYNTH_FAR : 0), y) <= 1;
 	if (d->shape == SYNTH_LSHAPE && x > cx && y > cy)
 		return 0;
 	return x >= d->x0 && x <= d->x1 && y >= d->y0 && y <= d->y1;

@@ -31,9 +31,13 @@ enum {
 	SYNTH_RECT,     /* the box [x0,x1] x [y0,y1]; vertex 0 is (x0,y0) */
 	SYNTH_OVAL,     /* the ellipse in that box, with half axes a and b; the corners are
 	                 * (a cos t, b sin t) from its centre, t = -135, -45, 45, 135 degrees */
-	SYNTH_LSHAPE    /* the box without its upper right quarter; the corners are (x0,y0),
+	SYNTH_LSHAPE,   /* the box without its upper right quarter; the corners are (x0,y0),
 	                 * (x1,y0), the middle of the box and (x0,y1) */
+	SYNTH_SPHERE    /* no disk: a closed surface.  D is the stereographic images of the halves of a sphere, from
+	                 * its poles: the disks of radius 1 round (0,0) and (SYNTH_FAR,0), z and 1/z + SYNTH_FAR */
 };
+
+#define SYNTH_FAR 3
 
 typedef struct SynthDomain {
 	int    shape;
@@ -81,7 +85,7 @@ int synth_domain(const Synth *s, SynthDomain *d);
 /* Whether (x,y) lies in D, its boundary included. */
 int synth_inside(const SynthDomain *d, double x, double y);
 
-/* A triangulated disk with about n vertices (within 10 % from n = 50 on), n >= 4.  The vertices are
+/* A triangulated disk, or closed surface, with about n vertices (within 10 % from n = 50 on), n >= 4.  The vertices are
  * evenly spaced on the boundary of D and scattered inside it, nowhere closer than about r/scale,
  * where r is one number for the whole mesh.  The faces are the Delaunay triangulation of D,
  * counterclockwise seen from the side to which the normal points.

@@ -7,7 +7,7 @@
 #include "delaunay.h"
 #include "rng.h"
 #include "scatter.h"
-#include "synth.h"
+#include "synth_shapes.h"
 
 enum {
 	PIECES = 2048,  /* pieces of a side, to measure its length */
@@ -260,6 +260,8 @@ synth_mesh(const Synth *s, int n, uint64_t seed, Mesh *m, double **xy)
 	memset(m, 0, sizeof *m);
 	if ((err = synth_domain(s, &plan.d)))
 		return err;
+	if (plan.d.shape == SYNTH_SPHERE)
+		return synth_sphere_mesh(s, n, seed, m, xy);
 	if (!(err = fit_points(&plan, n, seed, &p)))
 		err = map_points(&plan, &p, m);
 	if (err)
