@@ -179,7 +179,7 @@ mollified_triangles_have_area(void **state)
 			double a = intrinsic_length(&t, 3*f + k), b = intrinsic_length(&t, 3*f + (k+1)%3);
 			double c = intrinsic_length(&t, 3*f + (k+2)%3);
 
-			assert_true(b + c - a > .99e-10*fmin(a, fmin(b, c)));
+			assert_true(b + c - a > .99e-13*fmin(a, fmin(b, c)));
 		}
 	intrinsic_free(&t);
 	disk_free(&d);

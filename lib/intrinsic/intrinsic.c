@@ -6,7 +6,7 @@
 #include "../base/vec3.h"
 #include "intrinsic.h"
 
-static const double THIN = 1e-10;       /* two sides together exceed the third by at least this
+static const double THIN = 1e-13;       /* two sides together exceed the third by at least this
                                          * times the shortest */
 enum { PASSES = 100 };                  /* rounds of mollification, at most */
 static const double EQUAL = 1e-6;       /* relative difference of two lengths that differ by rounding

@@ -44,7 +44,7 @@ void intrinsic_free(Intrinsic *t);
 
 /* Flat triangles have no usable angles.  So in each triangle that is flat up to rounding, lengthens the
  * shortest edge (all, if several are equally short) until any two sides together exceed the third by
- * 1e-10 of the shortest, in at most 100 rounds.  Call it before any flip.  Returns 0 or
+ * 1e-13 of the shortest, in at most 100 rounds.  Call it before any flip.  Returns 0 or
  * INTRINSIC_ENOMEM. */
 int  intrinsic_mollify(Intrinsic *t);
 
