@@ -6,7 +6,7 @@
 #include "shared/numbered.h"
 #include "lh2png/page.h"
 
-enum { RANGE = 256, LOG, MAP, BARE, MOST = 32768 };
+enum { RANGE = 256, LOG, MAP, BARE, AXES, MOST = 32768 };
 
 static const char text[] =
 "usage: lh2png [-c NAME[,NAME..]|all] [--range=LOW,HIGH] [--log] [-o FILE] [GRID] >picture.png\n"
@@ -24,6 +24,8 @@ static const char text[] =
 "                     channels with both signs]\n"
 "      --size=N       width of each map in pixels, its height follows from T [the number of nodes,\n"
 "                     or its least multiple of at least 256]\n"
+"      --axes         numbers along u and v, and lines across the map: to find the place of a\n"
+"                     landmark for lhwarp\n"
 "      --bare         only the maps: no names, bars and margins\n"
 "  -o, --output=FILE  write FILE, which is complete or not there at all.  For a stream of several\n"
 "                     grids the name must have a number, as in frame-%03d.png, which counts from 1\n"
@@ -38,6 +40,7 @@ static const struct option longopt[] = {
 	{ "log",     no_argument,       NULL, LOG },
 	{ "map",     required_argument, NULL, MAP },
 	{ "size",    required_argument, NULL, 's' },
+	{ "axes",    no_argument,       NULL, AXES },
 	{ "bare",    no_argument,       NULL, BARE },
 	CMD_LONGOPT
 };
@@ -74,6 +77,7 @@ main(int argc, char *argv[])
 		case LOG: o.log = 1; break;
 		case MAP: o.map = opt_word(optarg, "viridis\0diverging\0", "map"); break;
 		case 's': o.size = (int)opt_long(optarg, 1, MOST, "size"); break;
+		case AXES: o.axes = 1; break;
 		case BARE: o.bare = 1; break;
 		}
 	cmd_operands(argc, argv, 0, 1);

@@ -193,3 +193,14 @@ pixels() {
 	try 1 'cut: ' /dev/null lh2png "$tmp/cut" -o "$tmp/cut.png"
 	[ ! -e "$tmp/cut.png" ]
 }
+
+@test "--axes: room for numbers, and a grey line where u is 0.4" {
+	lh2png -c H --size=400 "$tmp/lh" -o "$tmp/plain.png"
+	lh2png -c H --size=400 --axes "$tmp/lh" -o "$tmp/axes.png"
+	# the margins of the map: 34 pixels more at the left; it begins at (42, 21)
+	pixels "$tmp/axes.png" '
+		q = png.read("'"$tmp/plain.png"'")
+		assert p.shape[1] == q.shape[1] + 34 and p.shape[0] > q.shape[0] + 10, (p.shape, q.shape)
+		assert (p[30:120, 206] == 110).all() and not (p[30:120, 200] == 110).any()'
+	try 2 'axes: --bare leaves out all numbers' /dev/null lh2png --bare --axes
+}

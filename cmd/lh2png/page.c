@@ -87,6 +87,7 @@ lay_out(Page *page)
 		FieldPlot *p = &page->plot[k];
 
 		p->bare = page->o->bare;
+		p->axes = page->o->axes;
 		set_scale(page, page->c[k], &p->scale);
 		set_title(page->g, page->c[k], p);
 		fieldplot_layout(p, w, h);

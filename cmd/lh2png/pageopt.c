@@ -40,6 +40,8 @@ pageopt_range(PageOpt *o, const char *s)
 void
 pageopt_check(const PageOpt *o)
 {
+	if (o->bare && o->axes)
+		misuse("--axes: --bare leaves out all numbers");
 	if (o->log && o->map == COLOURMAP_DIVERGING)
 		misuse("--log: a diverging map is centred on 0, which has no logarithm");
 	if (o->log && !o->low.percent && !(o->low.value > 0))

@@ -7,7 +7,7 @@
 typedef struct PageOpt {
 	const char *channels;           /* "all", or names with commas between them; NULL by default */
 	ColourEnd   low, high;          /* the range of the colours */
-	int         log, bare;
+	int         log, bare, axes;
 	int         map;                /* a Colourmap, or -1: by the channel */
 	int         size;               /* width of a map in pixels, or 0: by the grid */
 } PageOpt;

@@ -13,6 +13,8 @@ typedef struct FieldPlot {
 	int  bar;               /* height of the colour bar */
 	int  width, height;     /* of everything */
 	int  bare;              /* only the map is drawn */
+	int  axes;              /* numbers along u and v, and lines across the map */
+	int  left, below;       /* room for these numbers */
 	char title[160];
 	ColourScale scale;
 	Ticks ticks;
@@ -23,7 +25,8 @@ typedef struct FieldPlot {
  * *square is set to 1, else to 0. */
 int fieldplot_height(Chart g, int w, int *square);
 
-/* Lays out a map of w x h pixels for p->scale; the caller has set scale, title and bare. */
+/* Lays out a map of w x h pixels for p->scale; the caller has set scale, title,
+ * bare and axes. */
 void fieldplot_layout(FieldPlot *p, int w, int h);
 
 /* Draws the field f[nv][nu], with NaN where nothing is known, with its upper left corner at (x,y).
