@@ -201,6 +201,6 @@ pixels() {
 	pixels "$tmp/axes.png" '
 		q = png.read("'"$tmp/plain.png"'")
 		assert p.shape[1] == q.shape[1] + 34 and p.shape[0] > q.shape[0] + 10, (p.shape, q.shape)
-		assert (p[30:120, 206] == 110).all() and not (p[30:120, 200] == 110).any()'
+		assert (p[30:120, 206] == 110).all() and not (p[30:120, 200] == 110).all()'
 	try 2 'axes: --bare leaves out all numbers' /dev/null lh2png --bare --axes
 }
