@@ -157,6 +157,21 @@ assert max(abs(a["start." + c] - b["start." + c]).max() for c in "xyz") < 1e-12'
 	try 0 '' /dev/null env LHGRID_THREE="$tmp/three" grid2html "$tmp/pear" -o "$tmp/pear.html"
 }
 
+@test "a skull: from lambda and H alone, from the round sphere, and its scales" {
+	[ -d "$meshes/formats" ] || skip "no meshes in $meshes"
+	mesh2rect -q -n 128 "$meshes/formats/finch_skull_binary.stl" -o "$tmp/skull"
+	grid2lh "$tmp/skull" -o "$tmp/skull.lh"
+	lh2grid --no-place "$tmp/skull.lh" -o "$tmp/back"
+	below "$(error_of "$tmp/skull" "$tmp/back" mean_rel)" 2e-4
+	lh2grid --no-place --no-start "$tmp/skull.lh" -o "$tmp/round"
+	misfit=$(lhinfo "$tmp/back" | sed -n 's/^  meta misfit //p')    # .04; of other minima 1 and more
+	below "$(lhinfo "$tmp/round" | sed -n 's/^  meta misfit //p')" "$(awk -v m="$misfit" 'BEGIN { print 1.1*m }')"
+	for how in --scale=1% --scale=4% -K1; do
+		lhfft $how "$tmp/skull.lh" | lh2grid -o "$tmp/smooth"
+		[ "$(lhdiff --no-hausdorff "$tmp/skull" "$tmp/smooth" | awk '$1 == "self_intersections_b" { print $2 }')" = 0 ]
+	done
+}
+
 @test "what a closed surface has not is said" {
 	grid2lh --no-lattice "$tmp/pear" -o "$tmp/nostart"
 	try 1 'on a pillow, .*flat on a rectangle: mesh2rect --chart=pillow' /dev/null lhinterp -t .5 "$tmp/pear.lh" "$tmp/flat"
