@@ -24,19 +24,21 @@
 static const char text[] =
 "usage: mesh2rect [OPTIONS] [MESH] >grid.lhg\n"
 "Maps a triangle mesh conformally onto a chart [0,1] x [0,T] and samples it there on a grid.\n"
-"The mesh is a topological disk, in one piece with one boundary and no handle, and its\n"
-"triangles have areas.  MESH (none or -: stdin), also gzipped, is by its content\n"
+"The mesh is a topological disk, in one piece with one boundary and no handle, or a closed\n"
+"surface without handles, and its triangles have areas.  MESH (none or -: stdin), also gzipped, is by its content\n"
 "{formats}.\n"
 "Writes channels x y z, and metadata vertices faces corners certificate solved turned overlaid\n"
-"polished area kept farthest, like with --like, cones chi2 of a sock, space c_ras unit source\n"
-"if MESH has them.\n"
-"      --chart=rectangle|sock|auto  the rectangle; the sock, for heads, ears and limbs: periodic in\n"
-"                     u, folded at v = 0, its boundary at v = T without corners; auto: the sock\n"
-"                     where it is clearly better [rectangle]\n"
+"polished area kept farthest, like with --like, cones chi2 of a sock or a pillow, space c_ras unit\n"
+"source if MESH has them.\n"
+"      --chart=rectangle|sock|pillow|auto  the sock, for heads, ears and limbs: periodic in u, folded at\n"
+"                     v = 0, boundary at v = T without corners; the pillow, for closed surfaces: folded\n"
+"                     at v = T, too; auto: the sock where it is clearly better [rectangle, or pillow]\n"
 "      --cones=I,J    the ends of the fold of a sock, inner vertices given as for --corners: the\n"
 "                     tips of limbs [auto: where cells become most equal]\n"
-"  -n, --cells=N|NxM  cells along u, or along u and v, 4..32767 each; on a sock N means as many\n"
-"                     nodes as on the rectangle, NxM cells round it and along it [256]\n"
+"      --cones=I,J,K  the same on a pillow, and (1/2,T); the fourth, (0,T), follows [auto]\n"
+"      --force        a pillow even if chi2 is above 100\n"
+"  -n, --cells=N|NxM  cells along u, or along u and v, 4..32767 each; else N means as many nodes as on\n"
+"                     the rectangle, NxM cells round it and along it [256]\n"
 "      --cells=auto   the fewest of 32 48 64 96 128 .. that keep 99 % of the area of the mesh\n"
 "      --max-cells=N  at most N cells along u with --cells=auto, 4..32767 [1024]\n"
 "      --max-loss=SHARE  refuse a grid that loses more than SHARE of the area, 0..1 [0.5]\n"
@@ -44,8 +46,7 @@ static const char text[] =
 "                     the corners (0,0) (1,0) (1,T) (0,T), counterclockwise\n"
 "      --corners='x,y,z;x,y,z;x,y,z;x,y,z'  the boundary vertices nearest to these points\n"
 "      --corners=FILE four numbers, or four points, one on each line, from FILE\n"
-"      --corners=auto four clear corners of the boundary if it has them, else four vertices\n"
-"                     at equal arc length from its lowest vertex number [auto]\n"
+"      --corners=auto four clear corners of the boundary, else equal arc lengths [auto]\n"
 "      --like=GRID    corners that correspond to those of GRID: the boundary curves, by arc\n"
 "                     length, are fitted by motion and shift; on a sock GRID's numbers of "
 "nodes, and its order of the cones\n"
@@ -68,8 +69,6 @@ static const char text[] =
 "                     for textures, and grid2mesh --on; vertices of no face get -1,-1;\n"
 "                     no triangle is turned over, else noted; FILE is neither MESH nor output\n"
 CMD_USAGE
-"With --split of 1 or more the error of H on smooth surfaces is of second order in the mesh\n"
-"size; a mesh of more than a quarter of --max-vertices is not split, and the order is one.\n"
 "Example: mesh2rect --uv=face-uv.ply face.ply | grid2lh -o face.lhg\n";
 
 enum { FLIP = 256, CHART, CONES, FORCE, WITH, SPLIT, TOLERANCE, MOST, SURFACE, POLISH, LIKE, REVERSED, MAX_CELLS,
@@ -164,7 +163,11 @@ map_disk(const Disk *d, const int corner[4], Chart g, const ConformalOptions *op
 	case 0: break;
 	case SPD_ENOMEM: die("no memory: the factor of %d vertices needs %.0f bytes", d->m.nv, report.bytes);
 	case CONFORMAL_ECOARSE:
-		die("triangles of the mesh are too large on the sphere: a larger --split, or a smaller --tolerance");
+		die("triangles of the mesh are too large on the sphere: a larger --split, a smaller --tolerance%s",
+		    options->cone[0] < 0 ? "" : ", or other --cones");
+	case CONFORMAL_ECHI2:
+		die("chi^2 %.3g is above %g: more than four long limbs, or cones away from their tips, so nearly all "
+		    "nodes lie on a small part of the surface: other --cones, or --force", c->chi2[1], options->chi2);
 	case CONFORMAL_ECONES:
 		if (d->nb == 0 && options->cone[0] < 0)
 			die("the surface is so long, or its limbs are, that points cannot be told apart on the sphere: cut it");
@@ -209,10 +212,10 @@ keep_facts(Soup *s)
 int
 main(int argc, char *argv[])
 {
-	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0, 1024, 0, NULL, { -1, -1, -1 }, 0, 1 };
+	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0, 1024, 0, NULL, { -1, -1, -1 }, 0, 1, 100 };
 	const char *corners = NULL, *cones = NULL, *like = NULL, *uv = NULL, *with = NULL;
 	Chart g = { 257, 257, 1, &CHART_RECTANGLE };
-	int opt, corner[4], kind = CHARTOPT_UNSET, flip = 0, reversed = 0, force = 0, noted;
+	int opt, corner[4], kind = CHARTOPT_UNSET, flip = 0, reversed = 0, noted;
 	double apart, most_lost = 0.5;
 	ChartOptions given;
 	Conformal c;
@@ -227,7 +230,7 @@ main(int argc, char *argv[])
 		case 'n': opt_cells(optarg, &g, &options); break;
 		case CHART: kind = opt_word(optarg, "rectangle\0sock\0pillow\0auto\0", "chart"); break;
 		case CONES: cones = optarg; break;
-		case FORCE: force = 1; break;
+		case FORCE: options.chi2 = 0; break;
 		case 'c': corners = optarg; break;
 		case LIKE: like = optarg; break;
 		case REVERSED: reversed = 1; break;
@@ -274,7 +277,7 @@ main(int argc, char *argv[])
 	if (c.grid.g.kind->cones)
 		cones_meta(&out, &d, &c);
 	quality_facts(&out, s.facts);
-	cones_chi2(cmd_name_of(argv[optind]), force, &d, &c);
+	cones_chi2(cmd_name_of(argv[optind]), &d, &c);
 	noted = loss_report(&out, cmd_name_of(argv[optind]), most_lost, &d, &c);
 	cones_note(cmd_name_of(argv[optind]), &c, noted);
 	quality_notes(cmd_name_of(argv[optind]), uv, &d, &options, &c);

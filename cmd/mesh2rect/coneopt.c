@@ -7,7 +7,7 @@
 #include "coneopt.h"
 #include "vertexlist.h"
 
-static const double NOTED = 10, REFUSED = 100;  /* chi^2 of a pillow */
+static const double NOTED = 10; /* chi^2 of a pillow */
 
 static int
 nearest(const Disk *d, const double x[3])
@@ -80,7 +80,7 @@ cones_meta(Lhg *out, const Disk *d, const Conformal *c)
 }
 
 void
-cones_chi2(const char *mesh, int force, const Disk *d, const Conformal *c)
+cones_chi2(const char *mesh, const Disk *d, const Conformal *c)
 {
 	double chi2 = c->chi2[1];
 	char text[64];
@@ -89,9 +89,6 @@ cones_chi2(const char *mesh, int force, const Disk *d, const Conformal *c)
 		return;
 	detail("%s: cones at or near the vertices %s, of which the fourth follows from the others; chi^2 %.3g", mesh,
 	    list(d, c, text), chi2);
-	if (!(chi2 <= REFUSED) && !force)
-		die("%s: chi^2 %.3g is above %g: more than four long limbs, or cones away from their tips, so nearly all "
-		    "nodes lie on a small part of the surface: other --cones, or --force", mesh, chi2, REFUSED);
 	if (chi2 > NOTED)
 		note("%s: chi^2 %.3g: parts of the surface get few nodes; three tips of limbs as --cones may serve better",
 		    mesh, chi2);

@@ -20,7 +20,7 @@ int cones_help(const Conformal *c);
 void cones_note(const char *mesh, const Conformal *c, int noted);
 
 
-/* On a pillow: prints the cones as details, notes a large chi^2, and dies if it is too large, unless forced. */
-void cones_chi2(const char *mesh, int force, const Disk *d, const Conformal *c);
+/* On a pillow: prints the cones as details, and notes a chi^2 above 10. */
+void cones_chi2(const char *mesh, const Disk *d, const Conformal *c);
 
 #endif

@@ -97,7 +97,6 @@ find_cones(const Closed *m, Conformal *c)
 		pillowplane_z(&plane, at[k][0], at[k][1]*plane.T, p);
 		c->cone[k] = k < 3 && m->options->cone[k] >= 0 ? m->options->cone[k] : nearest(m, p);
 	}
-	c->chi2[1] = m->cones.chi2;
 }
 
 /* The fields of the options at the nodes. */
@@ -193,6 +192,9 @@ conformal_closed(const Disk *d, Chart g, const ConformalOptions *options, Confor
 		return e;
 	g.kind = &CHART_PILLOW;
 	e = choose_cones(&m);
+	c->chi2[1] = e ? 0 : m.cones.chi2;
+	if (!e && options->chi2 > 0 && !(m.cones.chi2 <= options->chi2))
+		e = CONFORMAL_ECHI2;
 	if (!e)
 		e = sample_map(&m, g, c);
 	sphere_free(&m.map);

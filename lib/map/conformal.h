@@ -14,7 +14,8 @@
 /* The cones are equal or on the boundary, or lie so deep in limbs that they cannot be told apart. */
 enum {
 	CONFORMAL_ECONES = -30,
-	CONFORMAL_ECOARSE = -31         /* faces of a closed mesh that may not be split are too large on the sphere */
+	CONFORMAL_ECOARSE = -31,        /* faces of a closed mesh that may not be split are too large on the sphere */
+	CONFORMAL_ECHI2 = -32           /* chi^2 of a pillow is above options->chi2; it is in c->chi2[1] */
 };
 
 typedef struct ConformalOptions {
@@ -31,6 +32,7 @@ typedef struct ConformalOptions {
 	int    choose;          /* 1: take the sock in place of the given rectangle if it is clearly better */
 	int    shape;           /* 1: take the number of nodes of the given grid, but on a sock choose nu and
 	                         * nv so that its cells are about square */
+	double chi2;            /* > 0: largest chi^2 of a pillow */
 } ConformalOptions;
 
 typedef struct Conformal {
@@ -62,7 +64,7 @@ int  conformal_grid(const Disk *d, const int corner[4], Chart g, const Conformal
 	Conformal *c, SpdReport *report);
 
 /* Maps the closed surface d of genus 0 and samples it on a pillow of g.nu x g.nv nodes, in the same way.  Returns also
- * CONFORMAL_ECOARSE. */
+ * CONFORMAL_ECOARSE or CONFORMAL_ECHI2. */
 int  conformal_closed(const Disk *d, Chart g, const ConformalOptions *options, Conformal *c, SpdReport *report);
 
 /* The number of cells along a side to try after n, of the sequence 32 48 64 96 128 192 .. */

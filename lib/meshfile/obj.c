@@ -188,6 +188,15 @@ same_point(const double a[2], const double b[2])
 	return hypot(sheet_u(s, a[0]) - b[0], sheet_v(s, a[1]) - b[1]) < 1e-12;
 }
 
+/* The same, also across a fold at v = T. */
+static int
+same_on(const Soup *s, const double a[2], const double b[2])
+{
+	const double x[2] = { a[0], s->T - a[1] }, y[2] = { b[0], s->T - b[1] };
+
+	return same_point(a, b) || (s->chart->folded > 1 && same_point(x, y));
+}
+
 /* Sets the (u,v) of vertex v from corner c of face f.  All corners at v must have the same (u,v), or images
  * of it; it is then that of vt v. */
 static int
@@ -203,7 +212,7 @@ assign_uv(Obj *o, int f, int c, int v)
 	if (o->of[c] >= o->nt)
 		return mesh_fail(s->err, MESH_EINDEX, "face %d refers to vt %d, there are %d", f, o->of[c], o->nt);
 	x = o->vt[o->of[c]];
-	if (folded && same_point(o->vt[v], x))
+	if (folded && same_on(s, o->vt[v], x))
 		x = o->vt[v];
 	if ((uv[0] != -1 || uv[1] != -1) && (uv[0] != x[0] || uv[1] != x[1]))
 		return mesh_fail(s->err, MESH_EVALUE,

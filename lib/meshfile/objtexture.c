@@ -17,24 +17,33 @@ by_vertex(const void *a, const void *b)
 	const ObjImage *x = a, *y = b;
 	int d = (x->vertex > y->vertex) - (x->vertex < y->vertex);
 
+	d = d ? d : x->far - y->far;
 	d = d ? d : x->sheet.sign - y->sheet.sign;
 	return d ? d : x->sheet.shift - y->sheet.shift;
 }
 
-/* The sheets of the n corners v of a face. */
-static void
-sheets(const double *uv, int n, const int *v, Sheet *s)
+/* The sheets of the n corners v of a face.  Returns 1 if it is nearer to a fold at v = T than to that at v = 0: then the sheets are
+ * those of (u,T-v). */
+static int
+sheets(const Soup *s, int n, const int *v, Sheet *at)
 {
-	double x[OBJTEXTURE_CORNERS], y[OBJTEXTURE_CORNERS];
-	int k;
+	const double *uv = channel_values(&s->channels, MESH_UV);
+	double x[OBJTEXTURE_CORNERS], y[OBJTEXTURE_CORNERS], sum = 0;
+	int k, far;
 
-	for (k = 0; k < n; k++)
+	for (k = 0; k < n; k++) {
 		x[k] = uv[2*(size_t)v[k]], y[k] = uv[2*(size_t)v[k]+1];
-	sheet_polygon(n, x, y, s);
+		sum += y[k];
+	}
+	far = s->chart->folded > 1 && 2*sum > n*s->T;
+	for (k = 0; k < n && far; k++)
+		y[k] = s->T - y[k];
+	sheet_polygon(n, x, y, at);
+	return far;
 }
 
 static int
-append(ObjTexture *x, int vertex, Sheet s)
+append(ObjTexture *x, int vertex, int far, Sheet s)
 {
 	ObjImage *p;
 
@@ -44,24 +53,24 @@ append(ObjTexture *x, int vertex, Sheet s)
 			return MESH_ENOMEM;
 		x->image = p;
 	}
-	x->image[x->n++] = (ObjImage){ vertex, s };
+	x->image[x->n++] = (ObjImage){ vertex, far, s };
 	return 0;
 }
 
 static int
-collect(ObjTexture *x, const Soup *s, const double *uv)
+collect(ObjTexture *x, const Soup *s)
 {
 	Sheet at[OBJTEXTURE_CORNERS];
 	const int *v;
-	int f, k, n;
+	int f, k, n, far;
 
 	for (f = 0; f < s->nf; f++) {
 		n = text_corners(s, f, &v);
 		if (n > OBJTEXTURE_CORNERS)
 			continue;
-		sheets(uv, n, v, at);
+		far = sheets(s, n, v, at);
 		for (k = 0; k < n; k++)
-			if (!is_plain(at[k]) && append(x, v[k], at[k]))
+			if (!is_plain(at[k]) && append(x, v[k], far, at[k]))
 				return MESH_ENOMEM;
 	}
 	return 0;
@@ -76,7 +85,7 @@ objtexture_init(ObjTexture *x, const Soup *s)
 	*x = (ObjTexture){ 0 };
 	if (!uv || !s->chart || !s->chart->folded)
 		return 0;
-	if (collect(x, s, uv)) {
+	if (collect(x, s)) {
 		objtexture_free(x);
 		return MESH_ENOMEM;
 	}
@@ -104,7 +113,8 @@ objtexture_lines(const ObjTexture *x, Text *t, const Soup *s)
 
 	for (i = 0; i < x->n; i++) {
 		const ObjImage *m = &x->image[i];
-		double at[2] = { sheet_u(m->sheet, uv[2*(size_t)m->vertex]), sheet_v(m->sheet, uv[2*(size_t)m->vertex+1]) };
+		double u = uv[2*(size_t)m->vertex], v = uv[2*(size_t)m->vertex+1], T = s->T;
+		double at[2] = { sheet_u(m->sheet, u), m->far ? T - sheet_v(m->sheet, T - v) : sheet_v(m->sheet, v) };
 
 		if (text_lines(t, at, 1, 2, "vt "))
 			return MESH_ENOMEM;
@@ -117,15 +127,15 @@ objtexture_face(const ObjTexture *x, const Soup *s, int n, const int *v, int *vt
 {
 	const ObjImage *found;
 	Sheet at[OBJTEXTURE_CORNERS];
-	int k;
+	int k, far;
 
 	for (k = 0; k < n; k++)
 		vt[k] = v[k];
 	if (!x->n)
 		return;
-	sheets(channel_values(&s->channels, MESH_UV), n, v, at);
+	far = sheets(s, n, v, at);
 	for (k = 0; k < n; k++) {
-		ObjImage key = { v[k], at[k] };
+		ObjImage key = { v[k], far, at[k] };
 
 		if (is_plain(at[k]))
 			continue;

@@ -7,7 +7,7 @@
 
 /* An image of the (u,v) of a vertex, other than that in the chart. */
 typedef struct ObjImage {
-	int   vertex;
+	int   vertex, far;      /* far: 1: the sheet is one of (u,T-v), at the fold v = T of a pillow */
 	Sheet sheet;
 } ObjImage;
 

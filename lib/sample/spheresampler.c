@@ -6,7 +6,7 @@
 #include "spheresampler.h"
 
 static const double BAND = 0.2;                 /* both halves are sampled where |log |z|| is less */
-static const double LONG = 0.38268343236508977; /* sin(45 degrees/2): chord of the longest side, over 2 */
+static const double LONG = 0.38268343236508977; /* sin(45 degrees/2): the chord of the longest side, over 2 */
 
 /* z in the chart of half h. */
 static double complex
@@ -25,7 +25,7 @@ is_long(const int c[3], double complex (*Z)[2])
 	for (k = 0; k < 3; k++) {
 		const double complex *a = Z[c[k]], *b = Z[c[(k+1)%3]];
 
-		if (cabs(a[0]*b[1] - a[1]*b[0]) > LONG)
+		if (!(cabs(a[0]*b[1] - a[1]*b[0]) <= LONG))
 			return 1;
 	}
 	return 0;
@@ -150,7 +150,7 @@ half_init(SphereSampler *s, const Disk *d, const Subdivision *mesh, double compl
 	if (!a->u || !a->v || !a->rough || restrict_to(&mesh->d, Z, h, &a->fine.d)
 	    || (smooth && restrict_to(d, Z, h, &a->part)))
 		return SPHERESAMPLER_ENOMEM;
-	if (!a->fine.d.m.nf || (smooth && !a->part.m.nf))
+	if (a->fine.d.m.nf == 0)
 		return SPHERESAMPLER_ECOARSE;
 	place_vertices(a, nv, Z, h);
 	if (sampler_init(&a->s, smooth ? &a->part : &a->fine.d, a->u, a->v, 1, surface))
@@ -159,6 +159,8 @@ half_init(SphereSampler *s, const Disk *d, const Subdivision *mesh, double compl
 		return 0;
 	rough = mark_long(d, Z, a->rough);
 	flat = find_flat(a, Z, h, &more);
+	if (a->part.m.nf == 0 && rough < d->m.nf)
+		return SPHERESAMPLER_ECOARSE;
 	s->overlaid += more + (h == 0 ? rough : 0);
 	return (rough || flat) && sampler_overlay(&a->s, &a->fine, a->u, a->v, a->rough) ? SPHERESAMPLER_ENOMEM : 0;
 }
