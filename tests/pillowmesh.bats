@@ -131,8 +131,7 @@ for n, j, i in ((5, 0, 0), (1700, 0, g.nu//2), (2500, -1, g.nu//2)):
 	try 1 'a closed surface with 1 handle, .*--handles=cut' /dev/null mesh2rect "$tmp/torus.off"
 	# Cones far from the tips of a needle: nearly all nodes would lie in between.
 	mkmesh -n 3000 ellipsoid a=20 b=1 c=1 -o "$tmp/needle.off"
-	try 1 'chi\^2 .* is above 100: .*--force'     /dev/null mesh2rect -n 32 --max-loss=1 --cones=5,9,12 "$tmp/needle.off"
-	try 1 'too large on the sphere: .*, or other --cones' /dev/null mesh2rect -n 32 --force --cones=5,9,12 "$tmp/needle.off"
+	try 1 'the three cones cannot be told apart on the sphere: other --cones' /dev/null mesh2rect -n 32 --cones=5,9,12 "$tmp/needle.off"
 	mkmesh -n 3000 ellipsoid a=3 b=1 c=1 -o "$tmp/needle.off"
 	try 1 'chi\^2 .* is above 100'                /dev/null mesh2rect -n 32 --cones=5,900,1600 "$tmp/needle.off"
 	mesh2rect -q -n 32 --max-loss=1 --force --cones=5,900,1600 "$tmp/needle.off" -o "$tmp/forced"
@@ -144,7 +143,7 @@ for n, j, i in ((5, 0, 0), (1700, 0, g.nu//2), (2500, -1, g.nu//2)):
 @test "coarse meshes: a tetrahedron and a cube" {
 	printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >"$tmp/tetra.off"
 	mesh2rect -q -n 96 "$tmp/tetra.off" -o "$tmp/tetra"
-	below "$(datum "$tmp/tetra" farthest)" 0.03
+	below "$(datum "$tmp/tetra" farthest)" 0.05
 	printf 'OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n' \
 		>"$tmp/cube.off"
 	mesh2rect -q -n 96 "$tmp/cube.off" -o "$tmp/cube"
