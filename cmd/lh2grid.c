@@ -116,7 +116,7 @@ main(int argc, char *argv[])
 	}
 	while (cmd_read(&in, &g)) {
 		if (chained)
-			follow_start(&before, &g);
+			follow_start(&before, &in, &g);
 		o.where = before.own;
 		phi = gridfit(&in, &g, method, chained, &o);
 		cmd_pass(&in, &g);

@@ -174,6 +174,12 @@ assert max(abs(a["start." + c] - b["start." + c]).max() for c in "xyz") < 1e-12'
 
 @test "what a closed surface has not is said" {
 	grid2lh --no-lattice "$tmp/pear" -o "$tmp/nostart"
+	python 'a, b = grid(sys.argv[1]), grid(sys.argv[1]); b["start.y"][3, 5] = 1e70
+a.frames = b.frames = b.frame = 2
+lhg.write(sys.argv[2], [a, b])' "$tmp/pear.lh" "$tmp/far"
+	code=0
+	lh2grid --follow "$tmp/far" >"$tmp/out" 2>"$tmp/err" || code=$?
+	[ $code = 1 ] && grep -q 'channel start.y is 1e+70 wide' "$tmp/err"
 	try 1 'on a pillow, .*flat on a rectangle: mesh2rect --chart=pillow' /dev/null lhinterp -t .5 "$tmp/pear.lh" "$tmp/flat"
 	try 1 'a pillow has no boundary for --landmarks' /dev/null lhinterp -l /dev/null -t .5 "$tmp/pear.lh" "$tmp/pear.lh"
 	try 1 'run grid2lh without --no-lattice' /dev/null lhinterp --align -t .5 "$tmp/nostart" "$tmp/nostart"

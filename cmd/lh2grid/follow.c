@@ -9,14 +9,15 @@
 #include <string.h>
 
 #include "../shared/chartof.h"
+#include "../shared/range.h"
 #include "follow.h"
 
 static const char *const START[3] = { "start.x", "start.y", "start.z" };
 enum { LATTICE = 32 };          /* least number of lattice steps along the shorter side */
 
-/* The start of g, to be freed, if its surface is closed and has one. */
+/* The start of g, to be freed, if its surface is closed and has one.  Dies if it is too wide (range.h). */
 static double *
-own_start(const Lhg *g)
+own_start(const CmdInput *in, const Lhg *g)
 {
 	size_t n = (size_t)g->nu*g->nv;
 	double *x;
@@ -25,14 +26,17 @@ own_start(const Lhg *g)
 	for (c = 0; c < 3; c++)
 		if (!chart_of(g).kind->closed || !lhg_find(g, START[c]) || lhg_find(g, START[c])->support != LHG_GRID)
 			return NULL;
+	cmd_need(in, g, "lambda", LHG_GRID);
 	x = cmd_alloc(3*n, sizeof *x);
-	for (c = 0; c < 3; c++)
+	for (c = 0; c < 3; c++) {
+		range_width(in, g, START[c]);
 		memcpy(x + c*n, lhg_find(g, START[c])->f, n*sizeof *x);
+	}
 	return x;
 }
 
 void
-follow_start(Before *before, Lhg *g)
+follow_start(Before *before, const CmdInput *in, Lhg *g)
 {
 	int cells = (g->nu < g->nv ? g->nu : g->nv) - 1, step = cells > LATTICE ? cells/LATTICE : 1, c;
 	int support = lhg_count(g, LHG_LATTICE, 1) ? LHG_LATTICE : LHG_GRID;
@@ -45,7 +49,7 @@ follow_start(Before *before, Lhg *g)
 		like = lhg_find(g, "band.x");
 	if (!like)
 		return;
-	before->own = own_start(g);
+	before->own = own_start(in, g);
 	snprintf(unit, sizeof unit, "%s", like->unit);
 	for (c = 0; c < 3; c++) {
 		lhg_drop(g, START[c]);

@@ -15,7 +15,7 @@ typedef struct Before {
  * Along the shorter side the lattice has 33 to 64 nodes, or all if there are fewer.  Its unit is
  * that of the start or the band of g.  A closed surface is still placed by the start that g came with,
  * before->own. */
-void follow_start(Before *before, Lhg *g);
+void follow_start(Before *before, const CmdInput *in, Lhg *g);
 
 /* follow_keep keeps phi[3][nv][nu] for the next frame; `before` owns it from then on.  follow_end
  * frees it. */
