@@ -105,6 +105,17 @@ best_way(const Side *a, const Side *b, const Marks *marks, const FindOptions *o)
 	return best;
 }
 
+/* Between rectangles of heights T and s T some |mu| is at least |s-1|/(s+1), by Groetzsch's theorem. */
+static void
+check_heights(const Side *a, const Side *b, double stretch, double mumax)
+{
+	double least = fabs(stretch - 1)/(stretch + 1);
+
+	if (least >= mumax)
+		die("%s: its chart is %.4g high, that of %s %.4g, so any map has |mu| of at least %.2g: a larger --max-mu, or "
+		    "other corners: mesh2rect --like", b->in.name, stretch*a->g.T, a->in.name, a->g.T, least);
+}
+
 void
 find_map(const Side *a, const Side *b, const Marks *marks, const FindOptions *o, Found *f)
 {
@@ -117,6 +128,7 @@ find_map(const Side *a, const Side *b, const Marks *marks, const FindOptions *o,
 	cmd_progress("map");
 	lay(a, b, f->turns, marks, o, &l);
 	f->stretch = l.task.stretch;
+	check_heights(a, b, f->stretch, o->mumax);
 	failed(warp_identity(&l.task, &f->warp, &f->before), b, o);
 	failed(warp_find(&l.task, WARP_LEVELS, &f->warp, &f->after), b, o);
 	lift(&l);

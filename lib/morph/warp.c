@@ -20,7 +20,7 @@ static const Level LEVEL[WARP_LEVELS] = {
 };
 
 static const double RAISE = 1.5;        /* alpha by this factor while |mu| is too large */
-enum { RAISES = 16, STEPS = 150 };
+enum { RAISES = 16, STEPS = 150, HALVES = 30 };
 
 /* The weights of distortion and of landmarks: normals only, with landmarks, landmarks only. */
 static const double ALPHA[2] = { 1, 0.3 }, BETA[2] = { 130, 50 };
@@ -155,16 +155,20 @@ images(const WarpTask *t, double share, double R[3][3], int nu, int nv, double *
 	return 0;
 }
 
-/* Until the energy of w is finite on the nodes of e, halves the displacement: a map found on a coarser grid
- * may be folded between its nodes. */
-static void
+/* Halves the displacement until the energy is finite on the nodes of e: a map found on a coarser grid
+ * may be folded between its nodes.  Returns 0, or WARP_EVALUE if even f = id has no finite energy. */
+static int
 unfold(WarpEnergy *e, double *x, double *grad)
 {
-	int n = 2*e->M*e->M, i;
+	int n = 2*e->M*e->M, i, k;
 
-	while (!(warpenergy(e, x, grad) < INFINITY))
+	for (k = 0; k <= HALVES; k++) {
+		if (warpenergy(e, x, grad) < INFINITY)
+			return 0;
 		for (i = 0; i < n; i++)
-			x[i] *= 0.5;
+			x[i] *= k < HALVES - 1 ? 0.5 : 0;
+	}
+	return WARP_EVALUE;
 }
 
 static int
@@ -183,8 +187,9 @@ minimise(WarpEnergy *e, Warp *w)
 
 		prec[m] = 0.2/((1 + k2)*(e->alpha + 1e-3));
 	}
-	unfold(e, x, x + 2*n);
-	bad = lbfgs(&o, n, warpenergy, e, x, &E) ? WARP_ENOMEM : 0;
+	bad = unfold(e, x, x + 2*n);
+	if (!bad && lbfgs(&o, n, warpenergy, e, x, &E))
+		bad = WARP_ENOMEM;
 	put(w, M, x);
 	free(x);
 	return bad;

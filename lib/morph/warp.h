@@ -20,7 +20,7 @@
 
 enum {
 	WARP_ENOMEM = -1,
-	WARP_EVALUE = -2,       /* no rigid motion: positions are not finite */
+	WARP_EVALUE = -2,       /* positions are not finite, or too large */
 	WARP_EMU    = -3        /* |mu| stays above the limit, or f is folded between its nodes */
 };
 
