@@ -134,6 +134,33 @@ the_cones_of_a_flat_sock_are_found(void **state)
 	parts_free(&p);
 }
 
+/* Equal cells lose 1; a limb of .5 % of the surface with cells 36 times the mean counts for .13 of that; and one whose
+ * cells cover it whole counts for a hundred times its share, however small they are in the chart. */
+static void
+lost_parts_count_as_lost(void **state)
+{
+	enum { N = 1000 };
+	static double A[N], ratio[N];
+	double lost[2];
+	int i;
+
+	(void)state;
+	for (i = 0; i < N; i++)
+		A[i] = 1, ratio[i] = 7;
+	assert_true(fabs(parts_lost(N, A, ratio) - 1/1.01) < 1e-12);
+	for (i = 0; i < 5; i++)
+		ratio[i] = 7*36;
+	assert_true(fabs(parts_lost(N, A, ratio) - 1/1.01 - 0.005*(36/1.36 - 1)) < 0.01);
+	assert_true(fabs(parts_chi2(N, A, ratio) - 1) < 1e-12);
+	for (i = 0; i < 5; i++)
+		ratio[i] = 1e30;
+	lost[0] = parts_lost(N, A, ratio);
+	for (i = 0; i < 5; i++)
+		ratio[i] = 1e300;
+	lost[1] = parts_lost(N, A, ratio);
+	assert_true(fabs(lost[0] - 0.995/1.01 - 0.5) < 0.01 && fabs(lost[1] - lost[0]) < 1e-12);
+}
+
 int
 main(void)
 {
@@ -143,6 +170,7 @@ main(void)
 		cmocka_unit_test(the_sides_of_a_rectangle_are_kept),
 		cmocka_unit_test(the_map_is_conformal),
 		cmocka_unit_test(the_cones_of_a_flat_sock_are_found),
+		cmocka_unit_test(lost_parts_count_as_lost),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

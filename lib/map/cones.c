@@ -22,20 +22,22 @@ softened(double complex d, double S)
 	return creal(d)*creal(d) + cimag(d)*cimag(d) + SPREAD*S;
 }
 
-/* chi^2 for the areas S/sqrt(q). */
+typedef double Measure(int n, const double *A, const double *ratio);
+
+/* A measure of the areas S/sqrt(q). */
 static double
-chi2(const Parts *p, const double *q)
+measured(const Parts *p, const double *q, Measure *measure)
 {
 	double ratio[PARTS_MOST];
 	int i;
 
 	for (i = 0; i < p->n; i++)
 		ratio[i] = p->A[i]/p->S[i]*sqrt(q[i]);
-	return parts_chi2(p->n, p->A, ratio);
+	return measure(p->n, p->A, ratio);
 }
 
-double
-parts_sock(const Parts *p, double complex a, double complex b)
+static double
+measured_sock(const Parts *p, double complex a, double complex b, Measure *measure)
 {
 	double q[PARTS_MOST];
 	int i;
@@ -43,7 +45,13 @@ parts_sock(const Parts *p, double complex a, double complex b)
 	for (i = 0; i < p->n; i++)
 		q[i] = softened(p->z[i] - a, p->S[i])*softened(1 - conj(a)*p->z[i], p->S[i])
 		    *softened(p->z[i] - b, p->S[i])*softened(1 - conj(b)*p->z[i], p->S[i]);
-	return chi2(p, q);
+	return measured(p, q, measure);
+}
+
+double
+parts_sock(const Parts *p, double complex a, double complex b)
+{
+	return measured_sock(p, a, b, parts_chi2);
 }
 
 double
@@ -55,7 +63,7 @@ parts_rectangle(const Parts *p, const double complex corner[4])
 	for (i = 0; i < p->n; i++)
 		for (q[i] = 1, k = 0; k < 4; k++)
 			q[i] *= softened(p->z[i] - corner[k], p->S[i]);
-	return chi2(p, q);
+	return measured(p, q, parts_chi2);
 }
 
 /* ---- the best pair --------------------------------------------------- */
@@ -70,7 +78,7 @@ step(double complex c, double x, double y)
 	return (w + c)/(1 + conj(c)*w);
 }
 
-/* What the simplex minimises: log chi^2, or infinity where the sock is too low. */
+/* What the simplex minimises: log parts_lost, or infinity where the sock is too low. */
 static double
 value(const Parts *p, const double complex cone[2], const double x[FREE])
 {
@@ -79,7 +87,7 @@ value(const Parts *p, const double complex cone[2], const double x[FREE])
 
 	if (!(rho > 0 && rho < 1) || sockplane_height(rho) < CONES_LEAST)
 		return HUGE_VAL;
-	return log(parts_sock(p, a, b));
+	return log(measured_sock(p, a, b, parts_lost));
 }
 
 typedef struct Search {
@@ -95,7 +103,7 @@ value_of(void *ctx, const double *x)
 	return value(s->p, s->cone, x);
 }
 
-/* Improves the pair; returns log chi^2. */
+/* Improves the pair; returns the log of parts_lost. */
 static double
 improve(const Parts *p, double complex cone[2])
 {

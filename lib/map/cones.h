@@ -4,7 +4,7 @@
  *
  *   a ~ S/(|z - a| |z - b| |1 - conj(a) z| |1 - conj(b) z|)
  *
- * in the chart, for a part of area S in the disk.  The cones minimise chi^2 (parts.h) of about sixteen thousand
+ * in the chart, for a part of area S in the disk.  The cones minimise parts_lost (parts.h) of about sixteen thousand
  * parts.  doc/mathematics.md 3.8.
  */
 #ifndef CONES_H

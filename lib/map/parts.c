@@ -10,6 +10,8 @@ enum { BINS = 16*160 };                 /* of ratios from 2^-80 to 2^80 */
 static const double TRIMMED = 0.01;     /* of the area: as much as mesh2rect -n auto may lose.  Nostrils and
                                          * folds would outweigh all limbs */
 
+static const double LOST = 100;
+
 static int
 by_real(const void *x, const void *y)
 {
@@ -168,4 +170,19 @@ parts_chi2(int n, const double *A, const double *ratio)
 		inverse += A[i]*ratio[i];
 	}
 	return inverse*sum/(area*area);
+}
+
+double
+parts_lost(int n, const double *A, const double *ratio)
+{
+	double area = 0, sum = 0, lost = 0;
+	int i;
+
+	for (i = 0; i < n; i++) {
+		area += A[i];
+		sum += A[i]/ratio[i];
+	}
+	for (i = 0; i < n; i++)
+		lost += A[i]/(area/(ratio[i]*sum) + 1/LOST);
+	return lost/area;
 }

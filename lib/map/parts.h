@@ -42,4 +42,9 @@ void parts_of_faces(Parts *p, PartFace *f, int n, int parts);
 double parts_bound(int n, const double *A, const double *ratio, double share);
 double parts_chi2(int n, const double *A, const double *ratio);
 
+/* The share of the surface that the cells lose, up to a factor: the mean over the surface of r/(1 + r/100), where r is
+ * the area of a cell on the surface over the mean of all cells.  About chi^2 with all parts while cells are at most ten
+ * times as long as the mean; what lies in longer ones is lost, and counts no more than that. */
+double parts_lost(int n, const double *A, const double *ratio);
+
 #endif
