@@ -196,6 +196,33 @@ harmonic_coordinates_of_a_sock(void **state)
 	assert_true(most[0] < 1e-3 && most[0]/most[1] > 1.9);
 }
 
+/* Thorns of one node on a sock, away from the cones: their cells turn too much to tell anything of the surface, and the
+ * coordinates stay about those of the cap. */
+static void
+cells_that_turn_are_conformal(void **state)
+{
+	enum { NU = 32, NV = 21, M = NU*NV };
+	const Chart g = { NU, NV, 20/32., &CHART_SOCK };
+	static double cap[3][M], *const x[3] = { cap[0], cap[1], cap[2] }, plain[M], f[M];
+	double E, most = 0;
+	GridLaplace l;
+	int thorn, p, c;
+
+	(void)state;
+	sample_sockcap(g, 1, (double **)x, NULL, NULL);
+	for (thorn = 0; thorn < 2; thorn++) {
+		for (p = 9*NU + 3; p < 10*NU && thorn; p += 8)
+			for (c = 0; c < 3; c++)
+				x[c][p] *= 3;
+		assert_int_equal(gridlaplace_init(&l, g, x, GRIDLAPLACE_CELLS), 0);
+		assert_int_equal(gridlaplace_shift(&l, 0, thorn ? f : plain, &E), 0);
+		gridlaplace_free(&l);
+	}
+	for (p = 0; p < M; p++)
+		most = fmax(most, fabs(f[p] - plain[p]));
+	assert_true(most < 0.15);               /* .08; .91 by the metric of these cells */
+}
+
 /* Points of a triangulated rectangle are located even near flat or flipped triangles, where a walk
  * from triangle to triangle fails. */
 static void
@@ -342,6 +369,7 @@ main(void)
 		cmocka_unit_test(transforms_invert_the_plane_of_a_pillow),
 		cmocka_unit_test(harmonic_functions_of_known_surfaces),
 		cmocka_unit_test(harmonic_coordinates_of_a_sock),
+		cmocka_unit_test(cells_that_turn_are_conformal),
 		cmocka_unit_test(points_are_located),
 		cmocka_unit_test(polish_never_harms),
 		cmocka_unit_test(polish_finds_the_conformal_map),

@@ -8,7 +8,6 @@
 #include "../grid/stencil.h"
 #include "gridlaplace.h"
 #include "../poisson/planelaplace.h"
-#include "../base/vec3.h"
 
 enum { FEW_STEPS = 20, MOST_STEPS = 400 };
 static const double REDUCTION = 1e-3;   /* of the norm of the preconditioned residual: enough where
@@ -16,23 +15,14 @@ static const double REDUCTION = 1e-3;   /* of the norm of the preconditioned res
 static const double EXACT = 1e-6;       /* ..and from there on where they do not, because errors of
                                          * rounding then grow */
 static const double RING = 2.5;         /* steps */
-static const double FLATTEST = 1e-3;    /* smallest ratio of the eigenvalues of the metric: flatter
-                                         * cells tell nothing of the surface.  The eigenvalues of A
-                                         * are then within 1e-3 .. 1 of the largest, for which CG
-                                         * needs at most about MOST_STEPS steps */
 
 /* ---- the matrix ------------------------------------------------------ */
 
-/* A node of the surface, with its central differences. */
-typedef struct Node {
-	double phi[3], phi_u[3], phi_v[3];
-} Node;
-
-static Node *
+static GridNode *
 differentiate(Chart g, const double *const phi[3])
 {
 	int n = g.nu*g.nv, p, c;
-	Node *node = malloc(n*sizeof *node);
+	GridNode *node = malloc(n*sizeof *node);
 
 	if (!node)
 		return NULL;
@@ -43,78 +33,6 @@ differentiate(Chart g, const double *const phi[3])
 		stencil_tangents(g, phi, p%g.nu, p/g.nu, node[p].phi_u, node[p].phi_v);
 	}
 	return node;
-}
-
-/* A cell with corners (i,j) (i+1,j) (i,j+1) (i+1,j+1) and steps h, k.  At a corner of sign -1, the
- * image of a node beyond a fold, phi_u and phi_v change their sign. */
-typedef struct Cell {
-	const Node *corner[4];
-	int         sign[4];
-	double      h, k;
-} Cell;
-
-/* The points of a cell where its metric is evaluated, as distances along u and v from its middle in
- * units of the cell, and the weight of central differences in the tangents there.  lambda and H are
- * later computed by central differences, so cell differences alone would make the grid conformal in
- * another sense.  Central differences alone do not see the odd-even mode.  At Gauss points the mean
- * of both gave a Beltrami coefficient 1.5 to 2 times smaller than either alone; on
- * buddha_laughing_15k at 257 x 257 its median was .0017.  At the corners the median is .0014 with
- * the mean, and .0010 with 0.9 central, in twice as many rounds. */
-static const struct { double from_middle, central; } METRIC[] = {
-	[GRIDLAPLACE_CELLS] = { 0.28867513459481288, 0.5 },     /* 1/sqrt(12) */
-	[GRIDLAPLACE_NODES] = { 0.5, 0.9 },
-};
-
-/* The tangents at (x,y) of the unit cell.  du and dv are the derivatives of the four bilinear shape
- * functions there. */
-static void
-tangents(const Cell *cell, double central, double x, double y, const double du[4], const double dv[4],
-	double phi_u[3], double phi_v[3])
-{
-	double shape[4] = { (1 - x)*(1 - y), x*(1 - y), (1 - x)*y, x*y };
-	const Node *p;
-	int a, c;
-
-	for (c = 0; c < 3; c++) {
-		phi_u[c] = phi_v[c] = 0;
-		for (a = 0; a < 4; a++) {
-			p = cell->corner[a];
-			phi_u[c] += central*shape[a]*(cell->sign[a]*p->phi_u[c]) + (1 - central)*du[a]*p->phi[c];
-			phi_v[c] += central*shape[a]*(cell->sign[a]*p->phi_v[c]) + (1 - central)*dv[a]*p->phi[c];
-		}
-	}
-}
-
-/* Adds a multiple of the identity to a metric that is flatter than FLATTEST. */
-static void
-thicken(double *E, double F, double *G)
-{
-	double middle = (*E + *G)/2, radius = sqrt((*E - *G)*(*E - *G)/4 + F*F);
-	double more = (FLATTEST*(middle + radius) - (middle - radius))/(1 - FLATTEST);
-
-	if (more > 0)
-		*E += more, *G += more;
-}
-
-/* Adds the contribution of quadrature point (x,y) to the lower triangle m of the cell's matrix. */
-static void
-add_point(const Cell *cell, double central, double x, double y, double m[10])
-{
-	double h = cell->h, k = cell->k;
-	double du[4] = { -(1 - y)/h, (1 - y)/h, -y/h, y/h };
-	double dv[4] = { -(1 - x)/k, -x/k, (1 - x)/k, x/k };
-	double phi_u[3], phi_v[3], E, F, G, area;
-	int a, b;
-
-	tangents(cell, central, x, y, du, dv, phi_u, phi_v);
-	E = dot3(phi_u, phi_u), F = dot3(phi_u, phi_v), G = dot3(phi_v, phi_v); /* (3), (5) */
-	thicken(&E, F, &G);
-	area = sqrt(fmax(E*G - F*F, 0));
-	if (!(area > 0))
-		E = G = area = 1, F = 0;
-	for (a = 0; a < 4; a++)
-		for (b = 0; b <= a; b++)
-			*m++ += (G*du[a]*du[b] - F*(du[a]*dv[b] + dv[a]*du[b]) + E*dv[a]*dv[b])/area*h*k/4;
 }
 
 /* The row of nodes below row `row` of cells.  The last rows of cells of a folded chart are the folds at v = 0 and v =
@@ -159,39 +77,28 @@ near_cone(Chart g, int i, int j)
 	return 0;
 }
 
-/* The matrix of a conformal cell: A is the identity. */
-static void
-add_flat_point(double h, double k, double x, double y, double m[10])
+/* How far the metric of a cell is taken for that of the surface.  On a chart with cones, cells within which the
+ * surface turns much are taken as conformal: they lie at the tips of limbs, where the map is more conformal than so few
+ * cells can tell, and rounds by their metric would take nodes away. */
+static double
+trust(Chart g, const GridCell *cell, int i, int j)
 {
-	double du[4] = { -(1 - y)/h, (1 - y)/h, -y/h, y/h };
-	double dv[4] = { -(1 - x)/k, -x/k, (1 - x)/k, x/k };
-	int a, b;
-
-	for (a = 0; a < 4; a++)
-		for (b = 0; b <= a; b++)
-			*m++ += (du[a]*du[b] + dv[a]*dv[b])*h*k/4;
+	return g.kind->cones == 0 ? 1 : near_cone(g, i, j) ? 0 : gridcell_trust(cell);
 }
 
 static void
-fill_row(GridLaplace *l, const Node *node, int row, int metric)
+fill_row(GridLaplace *l, const GridNode *node, int row, int metric)
 {
-	double *m = l->cell + 10*(size_t)row*l->across, r = METRIC[metric].from_middle, x, y;
-	int i, q, a, j = row_below(l, row), flat;
-	Cell cell = { .h = chart_h(l->g), .k = chart_k(l->g) };
+	double *m = l->cell + 10*(size_t)row*l->across;
+	int i, q, a, j = row_below(l, row);
+	GridCell cell = { .h = chart_h(l->g), .k = chart_k(l->g) };
 	size_t at[4];
 
 	for (i = 0; i < l->across; i++, m += 10) {
 		corners_of(l->g, i, j, at, cell.sign);
 		for (a = 0; a < 4; a++)
 			cell.corner[a] = node + at[a];
-		flat = near_cone(l->g, i, j);
-		for (q = 0; q < 4; q++) {
-			x = q%2 ? 0.5 + r : 0.5 - r, y = q/2 ? 0.5 + r : 0.5 - r;
-			if (flat)
-				add_flat_point(cell.h, cell.k, x, y, m);
-			else
-				add_point(&cell, METRIC[metric].central, x, y, m);
-		}
+		gridcell_matrix(&cell, metric, trust(l->g, &cell, i, j), m);
 		for (q = 0; q < 10 && is_fold(l, row); q++)
 			m[q] /= 2;              /* the cells of a fold come twice */
 	}
@@ -200,13 +107,13 @@ fill_row(GridLaplace *l, const Node *node, int row, int metric)
 int
 gridlaplace_init(GridLaplace *l, Chart g, double *const phi[3], int metric)
 {
-	Node *node = differentiate(g, (const double *[3]){ phi[0], phi[1], phi[2] });
+	GridNode *node = differentiate(g, (const double *[3]){ phi[0], phi[1], phi[2] });
 	int j;
 
 	l->g = g;
 	l->across = g.kind->joined[0][1] ? g.nu : g.nu - 1;
 	l->down = g.nv - 1 + g.kind->folded;
-	l->cell = calloc((size_t)l->across*l->down, 10*sizeof *l->cell);
+	l->cell = malloc(10*(size_t)l->across*l->down*sizeof *l->cell);
 	if (!node || !l->cell) {
 		free(node);
 		gridlaplace_free(l);

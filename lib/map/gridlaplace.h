@@ -7,21 +7,17 @@
  *
  * computed by bilinear elements with 2 x 2 quadrature points in each cell.  The tangents in g are
  * weighted means of differences within the cell and central differences at its corners.  A is the
- * identity where phi is conformal.  Within two and a half steps of a cone bilinear elements degenerate;
- * there A is set to the identity.  doc/mathematics.md 3.7.
+ * identity where phi is conformal.  On a chart with cones it is also the identity within two and a half steps of
+ * a cone, where bilinear elements degenerate, and, gradually, in cells within which the surface turns much
+ * (gridcell.h).  doc/mathematics.md 3.7.
  */
 #ifndef GRIDLAPLACE_H
 #define GRIDLAPLACE_H
 
 #include "../base/chart.h"
+#include "gridcell.h"
 
 enum { GRIDLAPLACE_ENOMEM = -1 };
-
-enum {
-	GRIDLAPLACE_CELLS,      /* metric at Gauss points, central differences with weight 0.5 */
-	GRIDLAPLACE_NODES       /* metric at the corners of the cells, central differences with
-	                         * weight 0.9: nearly the metric of lambda and H (lambdah.h) */
-};
 
 typedef struct GridLaplace {
 	Chart   g;

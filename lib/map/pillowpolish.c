@@ -158,7 +158,7 @@ pillowpolish(const SphereSampler *s, PillowGrid *a, int most, double enough, int
 {
 	size_t n = (size_t)a->g.nu*a->g.nv;
 	Polishing p = { s, { *a }, malloc(n*sizeof *p.to), malloc(n*sizeof *p.mu) };
-	Rounds r = { advance, copy, &p, 1 };
+	Rounds r = { advance, copy, &p };
 	int e = p.to && p.mu ? 0 : POLISH_ENOMEM, k;
 
 	*done = 0;

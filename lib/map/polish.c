@@ -218,7 +218,7 @@ polish(const Sampler *sampler, Grid *a, int most, double enough, int n, double *
 	size_t nodes = (size_t)a->g.nu*a->g.nv;
 	double *room = malloc(3*nodes*sizeof *room);
 	Polishing p = { sampler, { { *a, n, pu, pv } }, { room, room + nodes, 0 }, room + 2*nodes };
-	Rounds r = { advance, copy, &p, a->g.kind->cones > 0 };
+	Rounds r = { advance, copy, &p };
 	int e = room ? 0 : POLISH_ENOMEM, k;
 
 	*done = 0;

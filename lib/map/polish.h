@@ -29,9 +29,7 @@ void grid_free(Grid *a);
 
 /* Polishes the grid in at most `rounds` rounds.  Stops earlier if rounds gain nothing more, or if
  * the mean modulus of the Beltrami coefficient over the inner nodes is at most `enough`.  The round
- * with the smallest mean is kept; on a chart with cones, whose limbs lose nodes by it, the rounds after
- * the first count only if they halve the mean together.  If the mean stays above 4e-3 (surfaces that turn much within a
- * cell), rounds with the cell metric are followed by rounds with the node metric.  If it is above
+ * with the smallest mean is kept.  If the mean stays above 4e-3 (surfaces that turn much within a cell), rounds with the cell metric are followed by rounds with the node metric.  If it is above
  * .05 after one round, the grid has too few cells for the surface, and stays as it is.
  *
  * a        in/out

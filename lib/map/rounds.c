@@ -19,7 +19,7 @@ static const double FOLDED = 2e-3;      /* if the mean is above this, the first 
                                          * PATIENCE rounds without gain, otherwise after one: from a
                                          * start with folds the mean may rise at first */
 
-enum { BEST, ONE, OTHER, FIRST };       /* grids */
+enum { BEST, ONE, OTHER };       /* grids */
 
 /* The stage of the next round, after `idle` rounds without gain in this one; `mean` is the least so far.  A new stage
  * begins with the best grid, as grid `now`. */
@@ -33,20 +33,11 @@ next_stage(const Rounds *r, int stage, double mean, int now, int *idle)
 	return mean > UNDONE ? stage + 1 : STAGES;
 }
 
-/* The share of the mean after the first round below which the later ones have to bring it.  Limbs lie at cones, and
- * their tips are never conformal on few cells: each round takes nodes away from there.  The first takes out what the map
- * lacks; the others have to pay. */
-static double
-worthwhile(const Rounds *r)
-{
-	return r->cones ? 0.5 : 1;
-}
-
 int
 rounds(const Rounds *r, int most, double enough, double best, int *done)
 {
 	int k, e, idle = 0, stage = 0;
-	double mean, first = best;
+	double mean;
 
 	*done = 0;
 	r->copy(r->of, BEST, ONE);
@@ -64,15 +55,7 @@ rounds(const Rounds *r, int most, double enough, double best, int *done)
 			best = mean;
 			*done = k + 1;
 		}
-		if (k == 0) {
-			r->copy(r->of, BEST, FIRST);
-			first = best;
-		}
 		stage = next_stage(r, stage, best, next, &idle);
-	}
-	if (*done > 1 && !(best < worthwhile(r)*first)) {
-		r->copy(r->of, FIRST, BEST);
-		*done = 1;
 	}
 	return 0;
 }

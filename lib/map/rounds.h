@@ -2,7 +2,7 @@
 #ifndef ROUNDS_H
 #define ROUNDS_H
 
-enum { ROUNDS_GRIDS = 4 };      /* numbers of grids: 0 is the given one, and the result */
+enum { ROUNDS_GRIDS = 3 };      /* numbers of grids: 0 is the given one, and the result */
 
 /* One kind of grid, held ROUNDS_GRIDS times. */
 typedef struct Rounds {
@@ -11,7 +11,6 @@ typedef struct Rounds {
 	int  (*advance)(void *of, int metric, int from, int to, double *mean);
 	void (*copy)(void *of, int from, int to);
 	void *of;
-	int   cones;            /* 1: the chart has cones */
 } Rounds;
 
 /* At most `most` rounds, as polish.h says.  mean: of grid 0.  *done: the round that is now grid 0.  Returns 0 or the
