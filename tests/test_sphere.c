@@ -429,11 +429,10 @@ limbs_are_split_too(void **state)
 
 /* A needle, 20 times as long as thick: its tips are 1e-11 wide on the sphere. */
 static void
-a_needle_is_refused(void **state)
+a_needle_is_reported(void **state)
 {
 	Mesh mesh = closed_sphere(5, 0);
 	SphereMap m;
-	SphereCones c;
 	SpdReport report;
 	Disk d;
 	int i;
@@ -443,7 +442,7 @@ a_needle_is_refused(void **state)
 		mesh.xyz[3*i+2] *= 20;
 	assert_int_equal(closed_disk(&mesh, &d), 0);
 	assert_int_equal(sphere_map(&d, &PLAIN, &m, &report), 0);
-	assert_int_equal(spherecones(&m.mesh.d.m, m.Z, NULL, &c), SPHERECONES_EEQUAL);
+	assert_true(m.turned > 0);
 	sphere_free(&m);
 	disk_free(&d);
 	mesh_free(&mesh);
@@ -477,7 +476,7 @@ main(void)
 		cmocka_unit_test(a_torus_is_refused_with_its_handle),
 		cmocka_unit_test(normals_point_outwards),
 		cmocka_unit_test(limbs_are_split_too),
-		cmocka_unit_test(a_needle_is_refused),
+		cmocka_unit_test(a_needle_is_reported),
 		cmocka_unit_test(few_vertices_are_enough),
 	};
 

@@ -131,13 +131,13 @@ conesearch_descend(ConeSearch *s)
 int
 conesearch_scan(ConeSearch *s)
 {
-	double x = log(LEAST*1.5), least = HUGE_VAL, T = 1, f;
+	double x[DAMPED_MOST] = { log(LEAST*1.5) }, least = HUGE_VAL, T = 1, f;
 
-	for (s->T = 1; x < log(MOST); x += SCAN) {
-		f = value(s, &x);
+	for (s->T = 1; x[0] < log(MOST); x[0] += SCAN) {
+		f = value(s, x);
 		if (f < least) {
 			least = f;
-			T = exp(x);
+			T = exp(x[0]);
 		}
 	}
 	s->T = T;
