@@ -13,7 +13,7 @@ pair spiral "$(mesh spiral)" $strip $(chart spiral)
 pair moebius-there "$(mesh moebius)" $strip $(chart moebius)
 python paper.d/meet.py "$w/spiral.lhg" "$w/moebius-there.lhg" "$w/moebius.lhg"
 run grid2lh -q "$w/moebius.lhg" -o "$w/moebius-lh.lhg"
-run lhinterp -q -n "$frames" "$w/spiral-lh.lhg" "$w/moebius-lh.lhg" -o "$w/strip-lh.lhg"
+run lhinterp -q --rule=linear -n "$frames" "$w/spiral-lh.lhg" "$w/moebius-lh.lhg" -o "$w/strip-lh.lhg"
 # Held, the surfaces in the middle cross themselves and fit badly: their last steps creep, and move
 # the surface by more than lh2grid accepts at its usual tolerance.
 run lh2grid -q --tolerance=2e-4 "$w/strip-lh.lhg" -o "$w/held.lhg"
@@ -50,7 +50,7 @@ run gnuplot "$w/figure9.gp"
 
 say '## Figures 8 and 9: spiral to part of a Moebius strip' '' \
 	"Grids of $strip cells, $frames frames; the Moebius part scaled to the area of the spiral and moved rigidly onto it." '' \
-	"    lhinterp -n $frames A.lhg B.lhg | lh2grid --boundary=free --follow --steps=2000 -o MORPH.lhg" \
+	"    lhinterp --rule=linear -n $frames A.lhg B.lhg | lh2grid --boundary=free --follow --steps=2000 -o MORPH.lhg" \
 	'    lhdiff --no-hausdorff MORPH.lhg MORPH.lhg' '' \
 	'against straight lines from its first to its last grid, `scripts/paper.d/linear.py`.'
 shown figure8 'Figure 8: the ends, and two frames by linear positions and by lambda and H'
