@@ -168,6 +168,9 @@ map_disk(const Disk *d, const int corner[4], Chart g, const ConformalOptions *op
 	case CONFORMAL_ECHI2:
 		die("chi^2 %.3g is above %g: more than four long limbs, or cones away from their tips, so nearly all "
 		    "nodes lie on a small part of the surface: other --cones, or --force", c->chi2[1], options->chi2);
+	case CONFORMAL_ETURNED:
+		die("the surface is so long, or a limb is, that its tip is lost in rounding on the sphere: cut it, or open it "
+		    "(mesh2disk --open=auto) for --chart=sock");
 	case CONFORMAL_ECONES:
 		if (d->nb == 0 && options->cone[0] < 0)
 			die("the surface is so long, or its limbs are, that points cannot be told apart on the sphere: cut it");

@@ -132,6 +132,7 @@ for n, j, i in ((5, 0, 0), (1700, 0, g.nu//2), (2500, -1, g.nu//2)):
 	# Cones far from the tips of a needle: nearly all nodes would lie in between.
 	mkmesh -n 3000 ellipsoid a=20 b=1 c=1 -o "$tmp/needle.off"
 	try 1 'the three cones cannot be told apart on the sphere: other --cones' /dev/null mesh2rect -n 32 --cones=5,9,12 "$tmp/needle.off"
+	try 1 "so long, or a limb is, that its tip is lost in rounding" /dev/null mesh2rect -n 32 "$tmp/needle.off"
 	mkmesh -n 3000 ellipsoid a=3 b=1 c=1 -o "$tmp/needle.off"
 	try 1 'chi\^2 .* is above 100'                /dev/null mesh2rect -n 32 --cones=5,900,1600 "$tmp/needle.off"
 	mesh2rect -q -n 32 --max-loss=1 --force --cones=5,900,1600 "$tmp/needle.off" -o "$tmp/forced"

@@ -10,6 +10,10 @@
 #include "pillowpolish.h"
 #include "spherecones.h"
 
+/* Of the faces.  Meshes whose faces cross keep up to one in a thousand turned over; where a limb is so long that its
+ * tip is lost in rounding, more are (an ellipsoid 20 : 1, one in 250). */
+static const double TURNED = 0.002;
+
 /* As in conformal.c, for grids from linear elements. */
 static const double ENOUGH = 2e-4;
 
@@ -193,6 +197,8 @@ conformal_closed(const Disk *d, Chart g, const ConformalOptions *options, Confor
 	g.kind = &CHART_PILLOW;
 	e = choose_cones(&m);
 	c->chi2[1] = e ? 0 : m.cones.chi2;
+	if (!e && m.map.turned > TURNED*m.map.mesh.d.m.nf)
+		e = CONFORMAL_ETURNED;
 	if (!e && options->chi2 > 0 && !(m.cones.chi2 <= options->chi2))
 		e = CONFORMAL_ECHI2;
 	if (!e)

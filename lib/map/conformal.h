@@ -15,7 +15,8 @@
 enum {
 	CONFORMAL_ECONES = -30,
 	CONFORMAL_ECOARSE = -31,        /* faces of a closed mesh that may not be split are too large on the sphere */
-	CONFORMAL_ECHI2 = -32           /* chi^2 of a pillow is above options->chi2; it is in c->chi2[1] */
+	CONFORMAL_ECHI2 = -32,          /* chi^2 of a pillow is above options->chi2; it is in c->chi2[1] */
+	CONFORMAL_ETURNED = -33         /* too many faces of a closed mesh are turned over on the sphere */
 };
 
 typedef struct ConformalOptions {
@@ -64,7 +65,7 @@ int  conformal_grid(const Disk *d, const int corner[4], Chart g, const Conformal
 	Conformal *c, SpdReport *report);
 
 /* Maps the closed surface d of genus 0 and samples it on a pillow of g.nu x g.nv nodes, in the same way.  Returns also
- * CONFORMAL_ECOARSE or CONFORMAL_ECHI2. */
+ * CONFORMAL_ECOARSE, CONFORMAL_ECHI2 or CONFORMAL_ETURNED. */
 int  conformal_closed(const Disk *d, Chart g, const ConformalOptions *options, Conformal *c, SpdReport *report);
 
 /* The number of cells along a side to try after n, of the sequence 32 48 64 96 128 192 .. */
