@@ -133,8 +133,9 @@ tolerance_at(const FitOptions *o, double E, size_t nodes)
 
 /* A shortened step says nothing about convergence, unless the last ten steps together barely lowered
  * E or barely moved: with data that belong to no surface, steps can creep for ever.  Nor does a step
- * only just below the tolerance while E is still falling fast.  If CG reached its limit of steps, the
- * step may lack slow components; then it counts only when E hardly falls any more.
+ * only just below the tolerance while E is still falling fast; nor, with residues, one that halves E
+ * on its way to FIT_NEAR.  If CG reached its limit of steps, the step may lack slow components; then it
+ * counts only when E hardly falls any more.
  *
  * Where E is 0 up to rounding, no step can lower it.  Returns FIT_CONVERGED, FIT_CREPT or 0. */
 static int
@@ -149,7 +150,7 @@ converged(const FitOptions *o, const Outcome *is, double E, size_t nodes, double
 	if (past->steps >= TEN
 	    && (past->E[then] - E < CREEP*past->E[then] || moved - past->moved[then] < tolerance))
 		return is->cut ? FIT_CREPT : FIT_CONVERGED;
-	if (is->cut)
+	if (is->cut || (o->fine > 0 && E > FIT_NEAR*nodes && E < past->E[last]/2))
 		return 0;
 	return is->change < (E > flat*past->E[last] ? 1 : SURE)*tolerance || is->predicted <= o->flat*E
 	    ? FIT_CONVERGED : 0;

@@ -39,10 +39,9 @@ typedef struct FitProgress {
  * or more times the square of the largest error over the area. */
 #define FIT_EXACT 1e-11
 
-/* E per node at which an exact fit is near.  With the residues of a real surface, steps that move it by less than
- * 5e-5 have left .02 of it where the grid is far from conformal; halfway between two real surfaces it
- * stays between 1 and 40. */
-#define FIT_NEAR 0.1
+/* E per node at which an exact fit is near: halfway between two real surfaces it stays between 1 and 40.  Above
+ * this, steps that halve E go on whatever the tolerance, since E may be on its way to 0. */
+#define FIT_NEAR 1e-3
 
 typedef struct FitWeights {
 	double w, alpha;                /* w on a rectangle of area 1 */
