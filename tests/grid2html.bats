@@ -58,7 +58,7 @@ three() {
 	grid2html "$tmp/sock" | grep -q '"vertices":'
 	grid2html "$tmp/a" | grep -q '"name":"lambda"'          # of grid2lh: the place, and its lambda and H
 	try 1 'no channel colour' /dev/null grid2html -c colour "$tmp/morph"
-	try 1 'a grid of .* nodes' /dev/null grid2html --colours="$tmp/sock" "$tmp/morph"
+	try 1 'on a sock, .* is on a rectangle' /dev/null grid2html --colours="$tmp/sock" "$tmp/morph"
 	try 1 'no distance between them' /dev/null grid2html --beside="$tmp/sock" --distance "$tmp/morph"
 	try 2 'needs --beside' /dev/null grid2html --distance "$tmp/morph"
 	try 1 'install libjs-three' /dev/null grid2html --three="$tmp" "$tmp/morph"
