@@ -136,7 +136,7 @@ static void
 left(Lines *l, const MendReport *r)
 {
 	if (r->closed)
-		line(l, 1, "the surface is closed and stays so; --open=auto cuts it open for mesh2rect");
+		line(l, 1, "the surface is closed and stays so, for the pillow of mesh2rect; --open=auto cuts it open");
 	else if (r->left > 1)
 		line(l, 1, "%d components, of which %d are disks", r->left, r->disks);
 	else if (r->disks < r->left)
