@@ -5,6 +5,7 @@
 #include "../base/simplex.h"
 #include "../base/sockplane.h"
 #include "cones.h"
+#include "draw.h"
 
 enum {
 	STARTS = 6,
@@ -120,14 +121,6 @@ improve(const Parts *p, double complex cone[2])
 			break;
 	}
 	return f;
-}
-
-/* The next number of a fixed sequence, in (0,1). */
-static double
-draw(unsigned long long *state)
-{
-	*state = *state*6364136223846793005u + 1442695040888963407u;
-	return ((double)(*state >> 11) + 0.5)/(1ull << 53);
 }
 
 /* Starts: the part that is smallest in the disk for its area, and then, with a double cone there, the one

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "conesearch.h"
+#include "draw.h"
 #include "spherecones.h"
 
 enum {
@@ -14,14 +15,6 @@ static const double DEEP = 1e12;        /* chi^2 from which on limbs are lost in
                                          * have sixteen digits, are as small as 1e-24 */
 
 /* ---- starts ---------------------------------------------------------- */
-
-/* The next number of a fixed sequence, in (0,1). */
-static double
-draw(unsigned long long *state)
-{
-	*state = *state*6364136223846793005u + 1442695040888963407u;
-	return ((double)(*state >> 11) + 0.5)/(1ull << 53);
-}
 
 /* Four places: that of the part which is smallest on the sphere for its area, then, with a cone there, that of the
  * part which is smallest in the chart, and so on.  Further starts weight the parts by random numbers. */

@@ -19,7 +19,6 @@ closed_meta() { sed -n "s/^  meta $2 //p" "$w/$1.info"; }
 closed_scales() {
 	n=$1
 	shift
-	set -- "$@"
 	run grid2mesh "$w/$n.lhg" -o "$w/$n-0.off"
 	for s in 1 2 4; do
 		run lhfft -q --scale=$s% "$w/$n-lh.lhg" -o "$w/$n-s$s-lh.lhg"
