@@ -212,15 +212,53 @@ keep_facts(Soup *s)
 	s->facts = facts;
 }
 
+/* What the command line asks for. */
+typedef struct Request {
+	ConformalOptions options;
+	const char *corners, *cones, *like, *uv, *with;
+	Chart  g;
+	int    kind, flip, reversed;
+	double most_lost;
+} Request;
+
+static void
+read_options(int argc, char *argv[], Request *r)
+{
+	int opt;
+
+	*r = (Request){ .options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0, 1024, 0, NULL, { -1, -1, -1 }, 0, 1, 100 },
+	    .g = { 257, 257, 1, &CHART_RECTANGLE }, .kind = CHARTOPT_UNSET, .most_lost = 0.5 };
+	while ((opt = cmd_getopt(argc, argv, "n:c:", longopt)) != -1)
+		switch (opt) {
+		case 'n': opt_cells(optarg, &r->g, &r->options); break;
+		case CHART: r->kind = opt_word(optarg, "rectangle\0sock\0pillow\0auto\0", "chart"); break;
+		case CONES: r->cones = optarg; break;
+		case FORCE: r->options.chi2 = 0; break;
+		case 'c': r->corners = optarg; break;
+		case LIKE: r->like = optarg; break;
+		case REVERSED: r->reversed = 1; break;
+		case FLIP: r->flip = 1; break;
+		case TOLERANCE: r->options.map.tolerance = opt_double(optarg, 0, 1, "tolerance"); break;
+		case SPLIT: r->options.map.split = opt_long(optarg, 0, 8, "split"); break;
+		case MOST: r->options.map.most = opt_long(optarg, 0, 100000000, "max-vertices"); break;
+		case SURFACE: r->options.surface = opt_word(optarg, "facets\0smooth\0", "surface"); break;
+		case POLISH: r->options.polish = opt_long(optarg, 0, 100, "polish"); break;
+		case MAX_CELLS: r->options.most = opt_long(optarg, 4, LHG_MAXN - 1, "max-cells"); break;
+		case MAX_LOSS: r->most_lost = opt_double(optarg, 0, 1, "max-loss"); break;
+		case UV: r->uv = optarg; break;
+		case WITH: r->with = optarg; break;
+		}
+}
+
 int
 main(int argc, char *argv[])
 {
-	ConformalOptions options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0, 1024, 0, NULL, { -1, -1, -1 }, 0, 1, 100 };
-	const char *corners = NULL, *cones = NULL, *like = NULL, *uv = NULL, *with = NULL;
-	Chart g = { 257, 257, 1, &CHART_RECTANGLE };
-	int opt, corner[4], kind = CHARTOPT_UNSET, flip = 0, reversed = 0, noted;
-	double apart, most_lost = 0.5;
+	int corner[4], noted;
+	const char *name;
+	double apart;
+	Request r;
 	ChartOptions given;
+	Chart g;
 	Conformal c;
 	Soup s;
 	Disk d;
@@ -228,67 +266,49 @@ main(int argc, char *argv[])
 	static char usage[FORMATS_USAGE];
 
 	cmd_begin("mesh2rect", formats_usage(text, usage, sizeof usage));
-	while ((opt = cmd_getopt(argc, argv, "n:c:", longopt)) != -1)
-		switch (opt) {
-		case 'n': opt_cells(optarg, &g, &options); break;
-		case CHART: kind = opt_word(optarg, "rectangle\0sock\0pillow\0auto\0", "chart"); break;
-		case CONES: cones = optarg; break;
-		case FORCE: options.chi2 = 0; break;
-		case 'c': corners = optarg; break;
-		case LIKE: like = optarg; break;
-		case REVERSED: reversed = 1; break;
-		case FLIP: flip = 1; break;
-		case TOLERANCE: options.map.tolerance = opt_double(optarg, 0, 1, "tolerance"); break;
-		case SPLIT: options.map.split = opt_long(optarg, 0, 8, "split"); break;
-		case MOST: options.map.most = opt_long(optarg, 0, 100000000, "max-vertices"); break;
-		case SURFACE: options.surface = opt_word(optarg, "facets\0smooth\0", "surface"); break;
-		case POLISH: options.polish = opt_long(optarg, 0, 100, "polish"); break;
-		case MAX_CELLS: options.most = opt_long(optarg, 4, LHG_MAXN - 1, "max-cells"); break;
-		case MAX_LOSS: most_lost = opt_double(optarg, 0, 1, "max-loss"); break;
-		case UV: uv = optarg; break;
-		case WITH: with = optarg; break;
-		}
+	read_options(argc, argv, &r);
 	cmd_operands(argc, argv, 0, 1);
-	given = (ChartOptions){ kind, corners, cones, like, reversed };
-	g = chartopt_before(&given, g, &options);
-	if (uv)
-		opt_uv(uv, argv[optind]);
+	name = cmd_name_of(argv[optind]);
+	given = (ChartOptions){ r.kind, r.corners, r.cones, r.like, r.reversed };
+	g = chartopt_before(&given, r.g, &r.options);
+	if (r.uv)
+		opt_uv(r.uv, argv[optind]);
 	cmd_binary_output();
 	load_soup(argv[optind], MESHFILE_LOOSE, &s);
-	if (with)
-		with_read(with, &s);
-	load_disk_or_closed(cmd_name_of(argv[optind]), &s, &d);
-	g = chartopt_of(cmd_name_of(argv[optind]), &d, &given, g, &options);
-	if (!uv)
+	if (r.with)
+		with_read(r.with, &s);
+	load_disk_or_closed(name, &s, &d);
+	g = chartopt_of(name, &d, &given, g, &r.options);
+	if (!r.uv)
 		keep_facts(&s);
-	if (flip)
+	if (r.flip)
 		disk_flip(&d);
-	add_corner(cmd_name_of(argv[optind]), &d);
-	apart = choose_corners(corners, g.kind == &CHART_SOCK ? NULL : like, reversed, &d, corner);
-	opt_cones(cones, &d, options.cone);
-	claim_map(cmd_name_of(argv[optind]), &d, g, &options);
-	if (with)
-		with_fields(&d, &options);
-	map_disk(&d, corner, g, &options, &c);
-	if (like && g.kind == &CHART_SOCK)
-		apart = likesock_turn(like, d.m.nv, &c);
+	add_corner(name, &d);
+	apart = choose_corners(r.corners, g.kind == &CHART_SOCK ? NULL : r.like, r.reversed, &d, corner);
+	opt_cones(r.cones, &d, r.options.cone);
+	claim_map(name, &d, g, &r.options);
+	if (r.with)
+		with_fields(&d, &r.options);
+	map_disk(&d, corner, g, &r.options, &c);
+	if (r.like && g.kind == &CHART_SOCK)
+		apart = likesock_turn(r.like, d.m.nv, &c);
 
 	begin_output(&out, &c.grid);
-	if (with)
+	if (r.with)
 		with_write(&d, &c, &out);
 	quality_meta(&out, &d, d.nb ? corner : NULL, apart, &c);
 	if (c.grid.g.kind->cones)
 		cones_meta(&out, &d, &c);
 	quality_facts(&out, s.facts);
-	cones_chi2(cmd_name_of(argv[optind]), &d, &c);
-	noted = loss_report(&out, cmd_name_of(argv[optind]), most_lost, &d, &c);
-	cones_note(cmd_name_of(argv[optind]), &c, noted);
-	quality_notes(cmd_name_of(argv[optind]), uv, &d, &options, &c);
-	if (uv)
-		uv_write(uv, &s, &d, c.u, c.v, c.grid.g, (const double *const *)c.grid.phi);
+	cones_chi2(name, &d, &c);
+	noted = loss_report(&out, name, r.most_lost, &d, &c);
+	cones_note(name, &c, noted);
+	quality_notes(name, r.uv, &d, &r.options, &c);
+	if (r.uv)
+		uv_write(r.uv, &s, &d, c.u, c.v, c.grid.g, (const double *const *)c.grid.phi);
 	cmd_write(&out);
 
-	free((void *)options.field);
+	free((void *)r.options.field);
 	soup_free(&s);
 	lhg_free(&out);
 	conformal_free(&c);
