@@ -13,4 +13,4 @@ LDFLAGS  = -Wl,--as-needed
 # Any BLAS will do: BLAS=-lblas links the reference BLAS, or what the system has put in its
 # place.  CHOLMOD calls the BLAS, not our code, so the linker must not drop it as unused.
 BLAS     = -Wl,--no-as-needed -lopenblas -Wl,--as-needed
-LDLIBS   = -lcholmod -lfftw3 -llapacke $(BLAS) -lgmp -lmpfr -lexpat -lpng -lz -lm
+LDLIBS   = -lcholmod -lfftw3 -llapacke $(BLAS) -lgmp -lmpfr -lexpat -llbfgs -lpng -lz -lm

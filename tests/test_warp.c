@@ -1,4 +1,4 @@
-/* test_warp.c - maps between charts: gradient, bijectivity, a known map found again, quarter turns. */
+/* test_warp.c - maps between charts: gradient, minimum, bijectivity, a known map found again, quarter turns. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -8,7 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 
-#include "../lib/morph/warpenergy.h"
+#include "../lib/morph/warpminimise.h"
 #include "../lib/morph/warpturn.h"
 
 enum { N = 65, M = 6 };
@@ -123,6 +123,44 @@ barrier(void **state)
 	assert_true(isfinite(warpenergy(&e, x, g)));
 	x[1] = 0.33;                                    /* 1 - 0.33 pi < 0 */
 	assert_true(isinf(warpenergy(&e, x, g)));
+	warpenergy_free(&e);
+}
+
+static double
+norm(int n, const double *g)
+{
+	double sum = 0;
+	int k;
+
+	for (k = 0; k < n; k++)
+		sum += g[k]*g[k];
+	return sqrt(sum);
+}
+
+/* At the minimum the gradient is small and landmarks meet as far as the distortion lets them; from a folded
+ * start the same minimum is found. */
+static void
+minimum(void **state)
+{
+	double x[2*M*M] = { 0 }, y[2*M*M] = { 0 }, g[2*M*M], start, first, least, again;
+	WarpEnergy e;
+
+	(void)state;
+	assert_int_equal(warpenergy_init(&e, N, N, T, M), 0);
+	e.alpha = 1;
+	e.beta = 130;
+	e.marks = (WarpMarks){ 3, P, Q };
+	first = warpenergy(&e, x, g);
+	start = norm(2*M*M, g);
+	assert_int_equal(warpminimise(&e, x), 0);
+	least = warpenergy(&e, x, g);
+	print_message("energy %.5g to %.5g, gradient %.3g to %.3g\n", first, least, start, norm(2*M*M, g));
+	assert_true(least < 0.1*first && norm(2*M*M, g) < 0.01*start);
+	y[1] = 0.4;
+	assert_true(isinf(warpenergy(&e, y, g)));
+	assert_int_equal(warpminimise(&e, y), 0);
+	again = warpenergy(&e, y, g);
+	assert_true(fabs(again - least) < 1e-3*least);
 	warpenergy_free(&e);
 }
 
@@ -242,6 +280,7 @@ main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(gradient),
 		cmocka_unit_test(barrier),
+		cmocka_unit_test(minimum),
 		cmocka_unit_test(found_again),
 		cmocka_unit_test(by_landmarks),
 		cmocka_unit_test(quarters),

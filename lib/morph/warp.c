@@ -3,10 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../base/lbfgs.h"
 #include "../base/vec3.h"
 #include "warp.h"
-#include "warpenergy.h"
+#include "warpminimise.h"
 
 /* Standard deviation of the smoothing, as a share of the sides; modes; and nodes at most, in each
  * direction. */
@@ -20,7 +19,7 @@ static const Level LEVEL[WARP_LEVELS] = {
 };
 
 static const double RAISE = 1.5;        /* alpha by this factor while |mu| is too large */
-enum { RAISES = 16, STEPS = 150, HALVES = 30 };
+enum { RAISES = 16 };
 
 /* The weights of distortion and of landmarks: normals only, with landmarks, landmarks only. */
 static const double ALPHA[2] = { 1, 0.3 }, BETA[2] = { 130, 50 };
@@ -155,42 +154,17 @@ images(const WarpTask *t, double share, double R[3][3], int nu, int nv, double *
 	return 0;
 }
 
-/* Halves the displacement until the energy is finite on the nodes of e: a map found on a coarser grid
- * may be folded between its nodes.  Returns 0, or WARP_EVALUE if even f = id has no finite energy. */
-static int
-unfold(WarpEnergy *e, double *x, double *grad)
-{
-	int n = 2*e->M*e->M, i, k;
-
-	for (k = 0; k <= HALVES; k++) {
-		if (warpenergy(e, x, grad) < INFINITY)
-			return 0;
-		for (i = 0; i < n; i++)
-			x[i] *= k < HALVES - 1 ? 0.5 : 0;
-	}
-	return WARP_EVALUE;
-}
-
 static int
 minimise(WarpEnergy *e, Warp *w)
 {
-	int M = e->M, n = 2*M*M, m, bad;
-	double *x = malloc(3*(size_t)n*sizeof *x), *prec = x + n, E;
-	Lbfgs o = { .steps = STEPS, .shorter = 0.02, .tol = 1e-5, .prec = prec };
+	double *x = malloc(2*(size_t)e->M*e->M*sizeof *x);
+	int bad;
 
 	if (!x)
 		return WARP_ENOMEM;
-	take(w, M, x);
-	for (m = 0; m < n; m++) {
-		int row = m/M % M, column = m % M;
-		double k2 = M_PI*M_PI*(column*column + row*row/(e->T*e->T));
-
-		prec[m] = 0.2/((1 + k2)*(e->alpha + 1e-3));
-	}
-	bad = unfold(e, x, x + 2*n);
-	if (!bad && lbfgs(&o, n, warpenergy, e, x, &E))
-		bad = WARP_ENOMEM;
-	put(w, M, x);
+	take(w, e->M, x);
+	bad = warpminimise(e, x);
+	put(w, e->M, x);
 	free(x);
 	return bad;
 }

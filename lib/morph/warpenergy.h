@@ -24,7 +24,7 @@ void warpenergy_free(WarpEnergy *e);
 /* Sets e->f to the map of the coefficients x[2][M][M]. */
 void warpenergy_map(const WarpEnergy *e, const double *x);
 
-/* The energy, and its gradient; for lbfgs.h, with a WarpEnergy as ctx. */
+/* The energy, and its gradient; warpminimise.h lowers it. */
 double warpenergy(void *ctx, const double *x, double *grad);
 
 #endif
