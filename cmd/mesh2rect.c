@@ -15,6 +15,7 @@
 #include "mesh2rect/coneopt.h"
 #include "mesh2rect/corneropt.h"
 #include "mesh2rect/likeopt.h"
+#include "mesh2rect/likepillow.h"
 #include "mesh2rect/likesock.h"
 #include "mesh2rect/loss.h"
 #include "mesh2rect/quality.h"
@@ -47,9 +48,9 @@ static const char text[] =
 "      --corners='x,y,z;x,y,z;x,y,z;x,y,z'  the boundary vertices nearest to these points\n"
 "      --corners=FILE four numbers, or four points, one on each line, from FILE\n"
 "      --corners=auto four clear corners of the boundary, else equal arc lengths [auto]\n"
-"      --like=GRID    corners that correspond to those of GRID: the boundary curves, by arc\n"
-"                     length, are fitted by motion and shift; on a sock GRID's numbers of "
-"nodes, and its order of the cones\n"
+"      --like=GRID    corners as on GRID: the boundary curves, by arc length, are fitted by motion and\n"
+"                     shift; a sock or pillow gets GRID's numbers of nodes, a sock its order of cones,\n"
+"                     a pillow T and cones by fit\n"
 "      --like-reversed  with --like: reverse the normal of the mesh if the curves are closer then\n"
 "      --flip         reverse the normal of the surface\n"
 "      --tolerance=X  split the facets where the error of the map is largest until its\n"
@@ -166,12 +167,17 @@ map_disk(const Disk *d, const int corner[4], Chart g, const ConformalOptions *op
 		die("triangles of the mesh are too large on the sphere: a larger --split, a smaller --tolerance%s",
 		    options->cone[0] < 0 ? "" : ", or other --cones");
 	case CONFORMAL_ECHI2:
+		if (options->like.phi[0])
+			die("chi^2 %.3g is above %g: nearly all nodes lie on a small part of the surface, so it is too unlike that "
+			    "of --like: --cones, or --force", c->chi2[1], options->chi2);
 		die("chi^2 %.3g is above %g: more than four long limbs, or cones away from their tips, so nearly all "
 		    "nodes lie on a small part of the surface: other --cones, or --force", c->chi2[1], options->chi2);
 	case CONFORMAL_ETURNED:
 		die("the surface is so long, or a limb is, that its tip is lost in rounding on the sphere: cut it, or open it "
 		    "(mesh2disk --open=auto) for --chart=sock");
 	case CONFORMAL_ECONES:
+		if (options->like.phi[0] && options->cone[0] < 0)
+			die("no position on the surface of --like: one of them has no area, or limbs too long");
 		if (d->nb == 0 && options->cone[0] < 0)
 			die("the surface is so long, or its limbs are, that points cannot be told apart on the sphere: cut it");
 		if (d->nb == 0)
@@ -226,7 +232,8 @@ read_options(int argc, char *argv[], Request *r)
 {
 	int opt;
 
-	*r = (Request){ .options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0, 1024, 0, NULL, { -1, -1, -1 }, 0, 1, 100 },
+	*r = (Request){ .options = { { 1e-3, 1, 300000 }, SAMPLER_SMOOTH, 12, 0, 1024, 0, NULL, { -1, -1, -1 }, 0, 1, 100,
+	        { .g = { 0, 0, 0, NULL } } },
 	    .g = { 257, 257, 1, &CHART_RECTANGLE }, .kind = CHARTOPT_UNSET, .most_lost = 0.5 };
 	while ((opt = cmd_getopt(argc, argv, "n:c:", longopt)) != -1)
 		switch (opt) {
@@ -250,6 +257,17 @@ read_options(int argc, char *argv[], Request *r)
 		}
 }
 
+/* What --like has to do on a sock or a pillow once there is a map; returns the distance of the surfaces or their boundaries. */
+static double
+finish_like(const Request *r, int vertices, LikePillow *like, Conformal *c)
+{
+	if (!r->options.like.phi[0])
+		return likesock_turn(r->like, vertices, c);
+	likepillow_report(like, c);
+	lhg_free(&like->g);
+	return c->apart[0];
+}
+
 int
 main(int argc, char *argv[])
 {
@@ -257,6 +275,7 @@ main(int argc, char *argv[])
 	const char *name;
 	double apart;
 	Request r;
+	LikePillow like;
 	ChartOptions given;
 	Chart g;
 	Conformal c;
@@ -279,6 +298,8 @@ main(int argc, char *argv[])
 		with_read(r.with, &s);
 	load_disk_or_closed(name, &s, &d);
 	g = chartopt_of(name, &d, &given, g, &r.options);
+	if (r.like && g.kind->closed)
+		likepillow_read(r.like, name, &like, &g, &r.options);
 	if (!r.uv)
 		keep_facts(&s);
 	if (r.flip)
@@ -290,15 +311,14 @@ main(int argc, char *argv[])
 	if (r.with)
 		with_fields(&d, &r.options);
 	map_disk(&d, corner, g, &r.options, &c);
-	if (r.like && g.kind == &CHART_SOCK)
-		apart = likesock_turn(r.like, d.m.nv, &c);
+	if (r.like && g.kind->joined[1][0])
+		apart = finish_like(&r, d.m.nv, &like, &c);
 
 	begin_output(&out, &c.grid);
 	if (r.with)
 		with_write(&d, &c, &out);
 	quality_meta(&out, &d, d.nb ? corner : NULL, apart, &c);
-	if (c.grid.g.kind->cones)
-		cones_meta(&out, &d, &c);
+	cones_meta(&out, &d, &c);
 	quality_facts(&out, s.facts);
 	cones_chi2(name, &d, &c);
 	noted = loss_report(&out, name, r.most_lost, &d, &c);

@@ -122,7 +122,6 @@ for n, j, i in ((5, 0, 0), (1700, 0, g.nu//2), (2500, -1, g.nu//2)):
 	try 1 'closed surface: no boundary, which --chart=sock needs; mesh2disk --open=auto' /dev/null mesh2rect --chart=sock "$tmp/bumpy.off"
 	try 2 'even number of cells'                  /dev/null mesh2rect -n 31x20 "$tmp/bumpy.off"
 	try 2 'no boundary, hence no corners'         /dev/null mesh2rect -c 1,2,3,4 "$tmp/bumpy.off"
-	try 2 'corresponding cones are given as --cones' /dev/null mesh2rect --like="$tmp/bumpy" "$tmp/bumpy.off"
 	# A torus of 12 x 8 quadrilaterals.
 	awk 'BEGIN { n = 12; m = 8; print "OFF\n" n*m, n*m, 0; t = 8*atan2(1, 1)
 		for (i = 0; i < n; i++) for (j = 0; j < m; j++) { r = 2 + cos(t*j/m); print r*cos(t*i/n), r*sin(t*i/n), sin(t*j/m) }

@@ -82,7 +82,7 @@ harmonic_coordinates_of_a_pear(void **state)
 
 		assert_int_equal(pillowgrid_alloc(&a, g), 0);
 		sample_pear(&a, (double[]){ 1, 1, 1 });
-		assert_int_equal(pillowpolish_map(&a, GRIDLAPLACE_CELLS, to, &tau), 0);
+		assert_int_equal(pillowpolish_map(&a, GRIDLAPLACE_CELLS, 0, to, &tau), 0);
 		assert_true(cabs(tau - 2*I*g.T) < 2e-2/(1 << 2*level));
 		pillowshift_nodes(g, node);
 		for (p = 0; p < g.nu*g.nv; p++)
@@ -175,10 +175,10 @@ polish_finds_the_conformal_map(void **state)
 	assert_int_equal(spheresampler_init(&s, &d, &mesh, Z, SAMPLER_SMOOTH), 0);
 	assert_int_equal(pillowgrid_init(&a, g, &s), 0);
 	before = mean_mu(&a);
-	assert_int_equal(pillowpolish_map(&a, GRIDLAPLACE_CELLS, to, &tau), 0);
-	assert_int_equal(pillowpolish(&s, &a, 12, 0, &done), 0);
+	assert_int_equal(pillowpolish_map(&a, GRIDLAPLACE_CELLS, 0, to, &tau), 0);
+	assert_int_equal(pillowpolish(&s, &a, 0, 12, 0, &done), 0);
 	assert_true(done > 0 && mean_mu(&a) < before/30);
-	assert_int_equal(pillowpolish_map(&a, GRIDLAPLACE_CELLS, to, &tau), 0);
+	assert_int_equal(pillowpolish_map(&a, GRIDLAPLACE_CELLS, 0, to, &tau), 0);
 	assert_true(fabs(creal(tau)) < 1e-4 && fabs(cimag(tau)/2 - a.g.T) < 1e-4);
 
 	/* The cones (0,0), (1/2,0) and (1/2,T) have stayed, and (0,T) has not. */

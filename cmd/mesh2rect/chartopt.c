@@ -35,8 +35,12 @@ on_pillow(const ChartOptions *given, Chart g, ConformalOptions *o)
 	o->choose = 0;
 	if (given->corners)
 		misuse("--corners: a closed surface has no boundary, hence no corners");
-	if (given->like)
-		misuse("--like: not for closed surfaces, whose corresponding cones are given as --cones");
+	if (given->reversed)
+		misuse("--like-reversed: a closed surface has its normal outside");
+	if (given->like) {
+		o->keep = o->shape = 0;
+		return g;               /* likepillow.h sets its size */
+	}
 	if (o->shape || o->keep > 0)
 		return g;
 	g.nu--, g.nv--;                 /* no row or column of nodes lies on a side */
@@ -89,7 +93,7 @@ check_like(const ChartOptions *o)
 {
 	if (o->like && o->corners)
 		misuse("--corners and --like exclude each other");
-	if (o->reversed && (!o->like || o->kind == LHG_SOCK))
+	if (o->reversed && (!o->like || o->kind == LHG_SOCK || o->kind == LHG_PILLOW))
 		misuse("--like-reversed needs --like, and a rectangle");
 }
 

@@ -75,6 +75,8 @@ cones_meta(Lhg *out, const Disk *d, const Conformal *c)
 {
 	char text[64];
 
+	if (!c->grid.g.kind->cones)
+		return;
 	cmd_meta(out, "cones", "%s", list(d, c, text));
 	cmd_meta(out, "chi2", "%.4g", c->chi2[1]);
 }

@@ -8,6 +8,7 @@
 #include "../../lib/mesh/disk.h"
 #include "../../lib/morph/outline.h"
 #include "../shared/borderread.h"
+#include "../shared/chartof.h"
 #include "likeopt.h"
 
 enum { POINTS = 2048 };                 /* on each outline */
@@ -40,6 +41,9 @@ read_like(const char *path, Outline *o, double corner[4])
 
 	cmd_open(&in, path);
 	cmd_read_one(&in, &g);
+	if (chart_of(&g).kind->closed)
+		die("%s: is on a %s, which has no boundary; --like needs a rectangle, as the mesh is open", in.name,
+		    lhg_chartname(g.chart));
 	border_read(&in, &g, &b);
 	outline(in.name, b.n, b.x, o);
 	for (k = 0; k < 4; k++)

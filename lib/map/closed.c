@@ -9,6 +9,7 @@
 #include "conformal.h"
 #include "pillowpolish.h"
 #include "spherecones.h"
+#include "spherelike.h"
 
 /* Of the faces.  Meshes whose faces cross keep up to one in a thousand turned over; where a limb is so long that its
  * tip is lost in rounding, more are (an ellipsoid 20 : 1, one in 250). */
@@ -22,6 +23,7 @@ typedef struct Closed {
 	const Disk    *d;
 	SphereMap      map;     /* its Z becomes the place on the sphere of the pillow */
 	SphereCones    cones;
+	SphereLike     like;    /* if options->like is given */
 	SphereSampler  s;
 	const ConformalOptions *options;
 } Closed;
@@ -48,7 +50,8 @@ sample_and_polish(const Closed *m, Chart g, PillowGrid *a, int *polished)
 {
 	if (pillowgrid_init(a, shape(m, g), &m->s))
 		return POLISH_ENOMEM;
-	return pillowpolish(&m->s, a, m->options->polish, m->map.quadratic ? 0 : ENOUGH, polished);
+	return pillowpolish(&m->s, a, m->options->like.phi[0] ? a->g.T : 0, m->options->polish, m->map.quadratic ? 0 : ENOUGH,
+		polished);
 }
 
 /* Samples on the given grid, or with the fewest cells whose grid keeps options->keep of the area. */
@@ -151,15 +154,37 @@ fill(const Closed *m, PillowGrid *a, Conformal *c)
 
 /* ---- in order -------------------------------------------------------- */
 
+/* Finds the cones that correspond to those of options->like. */
+static int
+follow_cones(Closed *m, const int *given)
+{
+	const Mesh *mesh = &m->map.mesh.d.m;
+	const ConformalLike *like = &m->options->like;
+	int e = spherelike(mesh, m->map.Z, given, like->g, like->phi, &m->like);
+
+	if (e)
+		return e == SPHERELIKE_EEQUAL ? CONFORMAL_ECONES : SPD_ENOMEM;
+	m->cones.map = m->like.map;
+	return spherecones_chi2(mesh, m->map.Z, &m->cones) ? SPD_ENOMEM : 0;
+}
+
+static int
+find_best_cones(Closed *m, const int *given)
+{
+	int e = spherecones(&m->map.mesh.d.m, m->map.Z, given, &m->cones);
+
+	return !e ? 0 : e == SPHERECONES_EEQUAL ? CONFORMAL_ECONES : SPD_ENOMEM;
+}
+
 /* Finds the cones, and moves the places of the map to the sphere of the pillow. */
 static int
 choose_cones(Closed *m)
 {
 	const int *given = m->options->cone[0] >= 0 ? m->options->cone : NULL;
-	int i, e = spherecones(&m->map.mesh.d.m, m->map.Z, given, &m->cones);
+	int i, e = m->options->like.phi[0] ? follow_cones(m, given) : find_best_cones(m, given);
 
 	if (e)
-		return e == SPHERECONES_EEQUAL ? CONFORMAL_ECONES : SPD_ENOMEM;
+		return e;
 	#pragma omp parallel for schedule(static)
 	for (i = 0; i < m->map.mesh.d.m.nv; i++) {
 		Spinor w;
@@ -197,6 +222,8 @@ conformal_closed(const Disk *d, Chart g, const ConformalOptions *options, Confor
 	g.kind = &CHART_PILLOW;
 	e = choose_cones(&m);
 	c->chi2[1] = e ? 0 : m.cones.chi2;
+	c->apart[0] = m.like.rms;
+	c->apart[1] = m.like.next;
 	if (!e && m.map.turned > TURNED*m.map.mesh.d.m.nf)
 		e = CONFORMAL_ETURNED;
 	if (!e && options->chi2 > 0 && !(m.cones.chi2 <= options->chi2))

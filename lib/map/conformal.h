@@ -19,6 +19,12 @@ enum {
 	CONFORMAL_ETURNED = -33         /* too many faces of a closed mesh are turned over on the sphere */
 };
 
+/* A gridded surface to which places correspond. */
+typedef struct ConformalLike {
+	Chart         g;
+	const double *phi[3];   /* [nv][nu]; NULL: none */
+} ConformalLike;
+
 typedef struct ConformalOptions {
 	AdaptOptions map;
 	int    surface;         /* SAMPLER_FACETS or SAMPLER_SMOOTH */
@@ -34,6 +40,7 @@ typedef struct ConformalOptions {
 	int    shape;           /* 1: take the number of nodes of the given grid, but on a sock choose nu and
 	                         * nv so that its cells are about square */
 	double chi2;            /* > 0: largest chi^2 of a pillow */
+	ConformalLike like;     /* of a pillow: its height is taken, and cones by spherelike.h */
 } ConformalOptions;
 
 typedef struct Conformal {
@@ -55,6 +62,7 @@ typedef struct Conformal {
 	int     fields;
 	double  chi2[2];        /* of the rectangle; and of the sock or the pillow with these cones, or 0 if a sock
 	                         * cannot be much better (cones.h, spherecones.h) */
+	double  apart[2];       /* with options->like: rms and next of spherelike.h */
 } Conformal;
 
 /* Maps the disk d and samples it on a grid of the kind g.kind with g.nu x g.nv nodes (g.T is not read;

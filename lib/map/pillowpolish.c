@@ -27,11 +27,12 @@ cones_to_cones(double complex s, double r, Moebius M)
 	moebius_three(from, to, M);
 }
 
-/* Where the map takes the nodes of which the harmonic coordinates are those of the grid plus du, dv, in steps. */
+/* Where the map to the pillow of height T takes the nodes of which the harmonic coordinates are those of the grid plus du,
+ * dv, in steps. */
 static void
-map_nodes(Chart g, const double *du, const double *dv, double complex tau, Spinor *to)
+map_nodes(Chart g, const double *du, const double *dv, double complex tau, double T, Spinor *to)
 {
-	PillowPlane plane = pillowplane(cimag(tau)/2);
+	PillowPlane plane = pillowplane(T);
 	Moebius M;
 	int p;
 
@@ -47,7 +48,7 @@ map_nodes(Chart g, const double *du, const double *dv, double complex tau, Spino
 }
 
 int
-pillowpolish_map(const PillowGrid *a, int metric, Spinor *to, double complex *tau)
+pillowpolish_map(const PillowGrid *a, int metric, double fixed, Spinor *to, double complex *tau)
 {
 	size_t n = (size_t)a->g.nu*a->g.nv;
 	double *du = malloc(2*n*sizeof *du), *dv = du + n, Ea, Eb, A, B;
@@ -71,7 +72,7 @@ pillowpolish_map(const PillowGrid *a, int metric, Spinor *to, double complex *ta
 		B = 2*Ea;
 		*tau = I*B/(1 + I*A);
 		if (cimag(*tau) > TORUSPLANE_LEAST && isfinite(cimag(*tau)))
-			map_nodes(a->g, du, dv, *tau, to);
+			map_nodes(a->g, du, dv, *tau, fixed > 0 ? fixed : cimag(*tau)/2, to);
 	}
 	gridlaplace_free(&l);
 	free(du);
@@ -83,6 +84,7 @@ pillowpolish_map(const PillowGrid *a, int metric, Spinor *to, double complex *ta
 typedef struct Polishing {
 	const SphereSampler *sampler;
 	PillowGrid grid[ROUNDS_GRIDS];
+	double     fixed;       /* height, or 0 */
 	Spinor    *to;          /* [nv][nu] of pillowpolish_map */
 	double    *mu;
 } Polishing;
@@ -140,13 +142,13 @@ advance(void *of, int metric, int i, int k, double *mean)
 	double complex tau;
 	int n = a->g.nu*a->g.nv;
 
-	if (pillowpolish_map(a, metric, p->to, &tau))
+	if (pillowpolish_map(a, metric, p->fixed, p->to, &tau))
 		return POLISH_ENOMEM;
 	*mean = HUGE_VAL;
 	b->g = a->g;
 	if (!(cimag(tau) > TORUSPLANE_LEAST && isfinite(cimag(tau))))
 		return 0;
-	b->g.T = cimag(tau)/2;
+	b->g.T = p->fixed > 0 ? p->fixed : cimag(tau)/2;
 	if (move(a, p->to, b) || spheresampler_points(p->sampler, n, b->at, b->phi))
 		return POLISH_ENOMEM;
 	*mean = mean_beltrami(b, p->mu);
@@ -154,10 +156,10 @@ advance(void *of, int metric, int i, int k, double *mean)
 }
 
 int
-pillowpolish(const SphereSampler *s, PillowGrid *a, int most, double enough, int *done)
+pillowpolish(const SphereSampler *s, PillowGrid *a, double fixed, int most, double enough, int *done)
 {
 	size_t n = (size_t)a->g.nu*a->g.nv;
-	Polishing p = { s, { *a }, malloc(n*sizeof *p.to), malloc(n*sizeof *p.mu) };
+	Polishing p = { s, { *a }, fixed, malloc(n*sizeof *p.to), malloc(n*sizeof *p.mu) };
 	Rounds r = { advance, copy, &p };
 	int e = p.to && p.mu ? 0 : POLISH_ENOMEM, k;
 

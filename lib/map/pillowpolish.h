@@ -14,12 +14,13 @@
 
 #include "pillowgrid.h"
 
-/* Polishes the grid in at most `most` rounds, of which one is kept as polish.h says.  *done: its number, 0: none.
- * Returns 0 or POLISH_ENOMEM. */
-int pillowpolish(const SphereSampler *s, PillowGrid *a, int most, double enough, int *done);
+/* Polishes the grid in at most `most` rounds, of which one is kept as polish.h says.  fixed: 0; or the height T that is kept, in
+ * place of Im tau/2: any sphere with four points on a circle is a pillow of any height, with the fourth cone elsewhere.
+ * *done: the number of the round, 0: none.  Returns 0 or POLISH_ENOMEM. */
+int pillowpolish(const SphereSampler *s, PillowGrid *a, double fixed, int most, double enough, int *done);
 
-/* The modulus tau of the gridded surface a, and where its map to the new pillow takes each node; metric is of gridlaplace.h.  Returns
- * 0 or POLISH_ENOMEM. */
-int pillowpolish_map(const PillowGrid *a, int metric, Spinor *to, double complex *tau);
+/* The modulus tau of the gridded surface a, and where its map to the new pillow, of height `fixed` or Im tau/2, takes each node;
+ * metric is of gridlaplace.h.  Returns 0 or POLISH_ENOMEM. */
+int pillowpolish_map(const PillowGrid *a, int metric, double fixed, Spinor *to, double complex *tau);
 
 #endif

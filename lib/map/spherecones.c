@@ -134,3 +134,19 @@ spherecones(const Mesh *m, Spinor *Z, const int *given, SphereCones *c)
 	sphereparts_free(&many);
 	return e;
 }
+
+int
+spherecones_chi2(const Mesh *m, Spinor *Z, SphereCones *c)
+{
+	SphereParts many;
+	Spinor cone[CONES];
+	int k;
+
+	if (sphereparts_init(&many, m, Z, MANY/2))
+		return SPHERECONES_ENOMEM;
+	for (k = 0; k < CONES; k++)
+		conemap_place(&c->map, k, cone[k]);
+	c->chi2 = exp(sphereparts_value(&many, cone));
+	sphereparts_free(&many);
+	return 0;
+}

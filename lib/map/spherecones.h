@@ -25,4 +25,7 @@ typedef struct SphereCones {
  * Returns 0, or one of the codes above. */
 int spherecones(const Mesh *m, Spinor *Z, const int *given, SphereCones *c);
 
+/* Sets c->chi2 to that of the cones of c->map.  Returns 0 or SPHERECONES_ENOMEM. */
+int spherecones_chi2(const Mesh *m, Spinor *Z, SphereCones *c);
+
 #endif
