@@ -1,5 +1,5 @@
 # closed.sh - closed surfaces on the pillow, which the paper leaves for the future: K = 0, and scales beside spherical
-# harmonics at equal bending energy.
+# harmonics at equal bending energy; and a morph beside the linear blend of the nodes.
 
 # closed NAME MESH: makes the grid and its lambda and H, and a row of the table.
 closed() {
@@ -45,6 +45,46 @@ closed_figure() {
 	shown closed 'Closed surfaces: the grid, its scales of 1, 2 and 4 % of sqrt(area), and spherical harmonics of x, y, z at the bending energy of the last'
 }
 
+# closed_morph A B: five frames from the surface A of `closed` to the mesh B on its nodes, and the linear blend of these nodes.
+closed_morph() {
+	run mesh2rect -q --like="$w/$1.lhg" "$2" -o "$w/like.lhg"
+	run lhinfo "$w/like.lhg" -o "$w/like.info"
+	run grid2lh -q --residual --no-place "$w/$1.lhg" -o "$w/like-a-lh.lhg"
+	run grid2lh -q --residual --no-place "$w/like.lhg" -o "$w/like-b-lh.lhg"
+	run lhinterp -q -n 5 "$w/like-a-lh.lhg" "$w/like-b-lh.lhg" -o "$w/like-lh.lhg"
+	timed like-morph lh2grid -q "$w/like-lh.lhg" -o "$w/like-morph.lhg"
+	python paper.d/linear.py "$w/like-morph.lhg" "$w/like-linear.lhg"
+	for series in like-morph like-linear; do
+		diffs "$1" "$series" --no-hausdorff
+	done
+	run lhdiff --no-hausdorff --no-self-intersections "$w/like.lhg" "$w/like-morph.lhg" -o "$w/like-end.diffs"
+	end=$(column like-end max_rel 100 | awk '{ print $NF }')
+}
+
+# closed_frames FROM UP: draws both rows, seen by these options of render.py.
+closed_frames() {
+	from=$1 up=$2
+	set --
+	for series in like-morph like-linear; do
+		render --size=$side "$from" "$up" "$w/$series-%d.png" "$w/$series.lhg"
+		for k in 1 2 3 4 5; do
+			set -- "$@" "$w/$series-$k.png" "t = $(awk -v k=$k 'BEGIN { print (k - 1)/4 }')" '' ''
+		done
+	done
+	figure closedmorph $side 5 "$@"
+	shown closedmorph 'One cortical hemisphere (fsaverage5, pial) becomes another (conte69): above lambda and H, below the linear blend of the nodes'
+}
+
+# closed_rows: the area and the crossing faces of the frames.
+closed_rows() {
+	say '| | t = 0 | 1/4 | 1/2 | 3/4 | 1 |' '|---|---|---|---|---|---|'
+	for series in like-morph like-linear; do
+		case $series in *morph) name='lambda, H' ;; *) name='linear blend' ;; esac
+		say "| area, $name | $(column $series area_b .01 | awk '{ for (i = 1; i <= NF; i++) printf "%.1f%s", $i, i < NF ? " | " : "" }') |" \
+			"| crossing faces, $name | $(column $series self_intersections_b | xargs | sed 's/ / | /g') |"
+	done
+}
+
 if [ $real = yes ]; then
 	closed=$meshes/../formats
 	say '## Closed surfaces' '' 'On the pillow, about 66 000 nodes; distances after a rigid motion, in % of sqrt(area); without place.' '' \
@@ -59,4 +99,14 @@ if [ $real = yes ]; then
 	closed_scales bunny --from=0.4,0.1,1
 	closed_scales pial --from=-1,0,0 --up=0,0,1
 	closed_figure
+	say '### A morph between closed surfaces' '' \
+		'The second surface gets the nodes, the height and the places of the cones of the first, `mesh2rect --like`. Both stay where they lie, in the spaces of their atlases.' \
+		'Areas in cm^2. Folds that do not correspond fade in both blends, more in that of the nodes.' ''
+	closed_morph pial "$closed/conte69_32k_lh.gii"
+	closed_frames --from=-1,0,0 --up=0,0,1
+	say "Equal nodes are $(short "$(sed -n 's/^  meta like //p' "$w/like.info")" 100) % of the size apart after motion and scaling. Residuals are kept: the" \
+		"frame at t = 1 is B to $(short "$end") % of sqrt(area). The five frames took $(cat "$w/like-morph.seconds") s." ''
+	closed_rows
+	awk -v e="$end" 'BEGIN { exit !(e < 1e-6) }' && wrong= || wrong="to $end %"
+	promise "$wrong" 'a morph between two closed surfaces ends at the second one, to 1e-6 % of sqrt(area)'
 fi

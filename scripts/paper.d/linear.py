@@ -13,7 +13,7 @@ import lhg
 def between(a, b, frames):
     for frame in range(1, frames + 1):
         t = (frame - 1)/(frames - 1)
-        g = lhg.Grid(a.nu, a.nv, (1 - t)*a.T + t*b.T, frame, frames)
+        g = lhg.Grid(a.nu, a.nv, (1 - t)*a.T + t*b.T, frame, frames, a.chart)
         for k in 'xyz':
             g.channels[k] = lhg.Channel((1 - t)*a[k] + t*b[k], a.channels[k].unit)
         yield g
