@@ -158,14 +158,14 @@ int
 xml_recognise(const MeshStart *m, const char *root)
 {
 	enum { NEAR = 2000 };
-	const size_t n = strlen(root), end = m->n < NEAR ? m->n : NEAR;
-	size_t i;
+	const size_t n = strlen(root);
+	const char *end = m->p + (m->n < NEAR ? m->n : NEAR), *at;
 
 	if (m->word.n < 2 || (memcmp(m->word.s, "<?", 2) != 0 && memcmp(m->word.s, "<!", 2) != 0 &&
 	    (m->word.n < n || memcmp(m->word.s, root, n) != 0)))
 		return MESHSTART_NO;
-	for (i = 0; i + n <= end; i++)
-		if (memcmp(m->p + i, root, n) == 0)
+	for (at = m->p; (at = memchr(at, '<', (size_t)(end - at))) && (size_t)(end - at) >= n; at++)
+		if (memcmp(at, root, n) == 0)
 			return MESHSTART_LIKELY;
 	return m->n < NEAR && m->least < m->most ? MESHSTART_MAYBE : MESHSTART_NO;
 }

@@ -18,13 +18,16 @@ size_t fuzz_live(void);
 size_t fuzz_peak(void);
 void   fuzz_mark(void);
 
-/* Reads the bytes as a mesh, with and without (u,v), and aborts if a check fails.  An accepted mesh
- * must be finite, its indices in range, and it must come back bit by bit after writing; n chooses the
- * format.  A refused mesh must have a message of one line and nothing to free.  Reading must not use
- * more than `most` bytes of memory. */
+/* Reads the bytes as a mesh, and aborts if a check fails.  An accepted mesh must be finite, its indices in
+ * range, and it must come back bit by bit after writing; n chooses the format.  One n in four is read with
+ * MESHFILE_LOOSE instead, as mesh2disk reads: then the arrays are checked only.  A refused mesh must have a
+ * message of one line and nothing to free.  Reading must not use more than `most` bytes of memory. */
 void fuzz_mesh(const uint8_t *data, size_t n, size_t most);
 
-/* The same, for a target whose inputs begin with a magic string: it replaces the first bytes, if they are
+/* fuzz_mesh, and the same once more with (u,v), for formats that have them. */
+void fuzz_mesh_uv(const uint8_t *data, size_t n, size_t most);
+
+/* fuzz_mesh, for a target whose inputs begin with a magic string: it replaces the first bytes, if they are
  * others. */
 void fuzz_mesh_from(const char *magic, size_t nmagic, const uint8_t *data, size_t n);
 

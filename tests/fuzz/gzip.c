@@ -39,7 +39,7 @@ LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 		free(out);
 	else    /* how much was unpacked before the damage is unknown: take gunzip's limit */
 		unpacked = 1100*n + 4096;
-	fuzz_mesh(p, n, bound(n, unpacked));
+	fuzz_mesh_uv(p, n, bound(n, unpacked));
 	free(p);
 	return 0;
 }

@@ -13,7 +13,7 @@ LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 	if (n)
 		memcpy(p, data, n);
 	memcpy(p, "ply", n < 3 ? n : 3);
-	fuzz_mesh(p, n, fuzz_meshbound(n));
+	fuzz_mesh_uv(p, n, fuzz_meshbound(n));
 	free(p);
 	return 0;
 }
