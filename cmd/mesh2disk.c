@@ -24,7 +24,10 @@ static const char text[] =
 "where the larger parts stay together; keeps the largest component; turns faces to agree;\n"
 "takes out faces without area; fills holes.  Writes PLY, or by -o {ends}.\n"
 "Vertices keep position and order; in PLY each has its number in MESH (property source; -1:\n"
-"made here), and faces that fill holes are marked (property filled).\n"
+"made here), and faces that fill holes are marked (property filled).  The numbers at the vertices\n"
+"of a PLY (colours, quality, labels, normals ..) go along with their types; vertices made here\n"
+"have the mean of their neighbours', or for whole numbers, but colours, those of the nearest one.\n"
+"Lists and numbers of faces are left out, with a note.\n"
 "      --check        write no mesh, but a report of all that is wrong with MESH, and of what\n"
 "                     the options would do about it\n"
 "      --json         the report of --check as one JSON object\n"
@@ -62,7 +65,7 @@ static const struct option longopt[] = {
 };
 
 /* Memory in bytes for each face, a little more than was measured. */
-enum { PER_FACE = 600 };
+enum { PER_FACE = 600, PER_NUMBER = 8 };      /* and for each property that goes along */
 
 static double
 opt_weld(const char *s)
@@ -179,10 +182,10 @@ main(int argc, char *argv[])
 		cmd_binary_output();
 	}
 	name = cmd_name_of(argv[optind]);
-	load_soup(argv[optind], MESHFILE_LOOSE, &s);
+	load_soup(argv[optind], MESHFILE_LOOSE | MESHFILE_FIELDS | MESHFILE_NORMALS, &s);
 	points_to_faces(name, points, &s);
 	load_range(name, &s);
-	claim(name, "the mending", s.nf, PER_FACE);
+	claim(name, "the mending", s.nf, PER_FACE + PER_NUMBER*s.channels.n);
 	e = mend(&out, &s, &o, &r);
 	if (e == MESH_ENOMEM || (e && !o.check))
 		die("%s: %s", name, out.err);

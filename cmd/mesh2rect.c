@@ -6,6 +6,7 @@
 #include "../lib/map/conformal.h"
 #include "../lib/map/intrinsicmap.h"
 #include "../lib/mesh/boundarysplit.h"
+#include "../lib/mesh/channel.h"
 #include "../lib/mesh/disk.h"
 #include "shared/claim.h"
 #include "shared/cmd.h"
@@ -67,8 +68,9 @@ static const char text[] =
 "      --with=FILE[,FILE..]  also numbers at the vertices of MESH, as channels: FreeSurfer's curv, sulc.., "
 "GIFTI .shape.gii, PLY's colours, quality..; one for each vertex of MESH, or of what mesh2disk made it of\n"
 "      --uv=FILE      write the mesh, with its (u,v) and offsets from the grid, to FILE {uv ends}:\n"
-"                     for textures, and grid2mesh --on; vertices of no face get -1,-1;\n"
-"                     no triangle is turned over, else noted; FILE is neither MESH nor output\n"
+"                     for textures, and grid2mesh --on; PLY to PLY keeps colours, labels ..;\n"
+"                     vertices of no face get -1,-1; no triangle is turned over, else noted;\n"
+"                     FILE is neither MESH nor output\n"
 CMD_USAGE
 "Example: mesh2rect --uv=face-uv.ply face.ply | grid2lh -o face.lhg\n";
 
@@ -278,6 +280,7 @@ main(int argc, char *argv[])
 	LikePillow like;
 	ChartOptions given;
 	Chart g;
+	Channels own;
 	Conformal c;
 	Soup s;
 	Disk d;
@@ -293,7 +296,8 @@ main(int argc, char *argv[])
 	if (r.uv)
 		opt_uv(r.uv, argv[optind]);
 	cmd_binary_output();
-	load_soup(argv[optind], MESHFILE_LOOSE, &s);
+	load_soup(argv[optind], MESHFILE_LOOSE | (r.uv ? MESHFILE_FIELDS : 0), &s);
+	uv_set_aside(&s, &own);
 	if (r.with)
 		with_read(r.with, &s);
 	load_disk_or_closed(name, &s, &d);
@@ -325,9 +329,10 @@ main(int argc, char *argv[])
 	cones_note(name, &c, noted);
 	quality_notes(name, r.uv, &d, &r.options, &c);
 	if (r.uv)
-		uv_write(r.uv, &s, &d, c.u, c.v, c.grid.g, (const double *const *)c.grid.phi);
+		uv_write(r.uv, &s, &own, &d, c.u, c.v, c.grid.g, (const double *const *)c.grid.phi);
 	cmd_write(&out);
 
+	channels_free(&own);
 	free((void *)r.options.field);
 	soup_free(&s);
 	lhg_free(&out);

@@ -167,9 +167,11 @@ gltf_two_files(void **state)
 /* ---- GIFTI ---- */
 
 #define GIFTI(arrays) "<?xml version=\"1.0\"?>\n<GIFTI Version=\"1.0\" NumberOfDataArrays=\"2\">\n" arrays "</GIFTI>\n"
-#define ARRAY(intent, type, dim, endian, file, offset) "<DataArray Intent=\"NIFTI_INTENT_" intent "\" DataType=\"NIFTI_TYPE_" type \
+#define OPEN(intent, type, dim, endian, file, offset) "<DataArray Intent=\"NIFTI_INTENT_" intent "\" DataType=\"NIFTI_TYPE_" type \
 	"\" ArrayIndexingOrder=\"RowMajorOrder\" Dimensionality=\"2\" Dim0=\"" dim "\" Dim1=\"3\" Encoding=\"ExternalFileBinary\" " \
-	"Endian=\"" endian "\" ExternalFileName=\"" file "\" ExternalFileOffset=\"" offset "\"><Data></Data></DataArray>\n"
+	"Endian=\"" endian "\" ExternalFileName=\"" file "\" ExternalFileOffset=\"" offset "\">"
+#define ARRAY(intent, type, dim, endian, file, offset) \
+	OPEN(intent, type, dim, endian, file, offset) "<Data></Data></DataArray>\n"
 #define GII_POINTS(file, offset) ARRAY("POINTSET", "FLOAT32", "4", "LittleEndian", file, offset)
 #define GII_FACES(file, offset) ARRAY("TRIANGLE", "INT32", "2", "LittleEndian", file, offset)
 
@@ -216,22 +218,28 @@ gifti_refused(void **state)
 	refuses(GIFTI(GII_POINTS("a.dat", "9000000000000000000")), most, &beside, "has 0 bytes from 9000000000000000000 on, need 48");
 	refuses(GIFTI(GII_POINTS("a.dat", "0") GII_POINTS("a.dat", "0")), most, &beside, "more than one array of points");
 	refuses("<GIFTI NumberOfDataArrays=\"1\"><DataArray Intent=\"NIFTI_INTENT_POINTSET\"><DataArray>", most, &beside, "DataType");
+	refuses("<GIFTI NumberOfDataArrays=\"1\">" OPEN("POINTSET", "FLOAT32", "4", "LittleEndian", "a.dat", "0")
+	    "<DataArray Intent=\"NIFTI_INTENT_SHAPE\"/></DataArray></GIFTI>", most, &beside, "array 0 has another in it");
 	refuses(GIFTI("<A>" GII_POINTS("a.dat", "0") "</B>"), most, &beside, "mismatched tag");
 }
 
 /* ---- numbers at vertices ---- */
 
+#define SHAPE "<DataArray Intent=\"NIFTI_INTENT_SHAPE\" DataType=\"NIFTI_TYPE_FLOAT32\" Dim0=\"5\" " \
+	"Encoding=\"ExternalFileBinary\" Endian=\"LittleEndian\" ExternalFileName=\"x.dat\" ExternalFileOffset=\"36\">"
+
 static void
 fields(void **state)
 {
-	static const char text[] = "<?xml version=\"1.0\"?>\n<GIFTI NumberOfDataArrays=\"1\"><DataArray Intent=\"NIFTI_INTENT_SHAPE\" "
-	    "DataType=\"NIFTI_TYPE_FLOAT32\" Dim0=\"5\" Encoding=\"ExternalFileBinary\" Endian=\"LittleEndian\" "
-	    "ExternalFileName=\"x.dat\" ExternalFileOffset=\"36\"><Data/></DataArray></GIFTI>";
+	static const char text[] = "<?xml version=\"1.0\"?>\n<GIFTI NumberOfDataArrays=\"1\">" SHAPE "<Data/></DataArray></GIFTI>";
+	static const char nested[] = "<GIFTI NumberOfDataArrays=\"1\">" SHAPE SHAPE "</DataArray></DataArray></GIFTI>";
 	char err[MESH_ERRLEN];
 	FieldFile f;
 
 	(void)state;
 	holds(POINTS CORNERS, BOTH);
+	assert_int_equal(fieldfile_parse(nested, sizeof nested - 1, "name", &beside, &f, err), MESH_EFORMAT);
+	assert_non_null(strstr(err, "array 0 has another in it"));
 	assert_int_equal(fieldfile_parse(text, sizeof text - 1, "name", &beside, &f, err), 0);
 	assert_int_equal(f.nv, 5);
 	assert_float_equal(channel_values(&f.c, "name")[2], .5, 0);

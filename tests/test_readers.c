@@ -272,6 +272,8 @@ gifti_refused(void **state)
 	refuses(GIFTI("3") GII_POINTS("ASCII", P_ASCII) GII_FACES("ASCII", F_ASCII) "</GIFTI>", MESH_EFORMAT,
 	    "NumberOfDataArrays is 3, the file has 2");
 	refuses(GIFTI("1") GII_POINTS("ASCII", P_ASCII) "</GIFTI>", MESH_EFORMAT, "no surface: no array of triangles");
+	refuses(GIFTI("1") "<DataArray Intent=\"NIFTI_INTENT_SHAPE\"><DataArray/></DataArray></GIFTI>", MESH_EFORMAT,
+	    "array 0 has another in it");
 	refuses(GIFTI("1") GII_POINTS("ASCII", "0 1 2"), MESH_EFORMAT, "header announces 12 coordinates");
 	refuses(GIFTI("1") GII_POINTS("ASCII", P_ASCII "7"), MESH_EFORMAT, "coordinates: more than 12 numbers");
 	refuses(GIFTI("1") GII_POINTS("Base64Binary", "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAACAPwAAgD8AAAA="),

@@ -99,7 +99,7 @@ static void
 sample(const Disk *d, const double *u, const double *v, const Fine *fine, Sampled *s)
 {
 	double f[C+1], *phi[3] = { s->phi[0], s->phi[1], s->phi[2] }, *out[1] = { s->channel };
-	Channel c = { "f", 1, f };
+	Channel c = { .name = "f", .n = 1, .f = f };
 	Sampler sampler;
 	int i;
 

@@ -17,6 +17,7 @@ add(const CmdInput *in, const Lhg *g, const char *name, int flip, int nv, const 
 
 	if (!x)
 		die("%s: no memory for channel %s at %d vertices", in->name, name, nv);
+	channel_find(to, name)->type = CHANNEL_ANY;     /* the mesh may have had one of that name */
 	for (i = 0; i < nv; i++)
 		x[i] = uv ? NAN : f[i];
 	if (uv)

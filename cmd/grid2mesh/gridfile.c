@@ -25,7 +25,7 @@ gridfile_read_mesh(const char *path, int offsets, int keep_filled, OnMesh *on)
 
 	on->name = cmd_name_of(path);
 	on->offsets = offsets < 0 ? OFFSETS_KEEP : offsets;
-	load_soup(path, MESHFILE_UV, &on->s);
+	load_soup(path, MESHFILE_UV | MESHFILE_FIELDS, &on->s);
 	if ((dropped = keep_filled ? 0 : filled_drop(&on->s)) < 0)
 		die("%s: %s", on->name, on->s.err);
 	if (dropped)
@@ -142,18 +142,24 @@ offset_vertices(const OnMesh *on, Chart g, const double *const phi[3], const dou
 	detail_free(&d);
 }
 
-/* Copies the numbers that the vertices have in another file, if they have them. */
+/* Copies the numbers that the vertices have in another file, and other properties. */
 static void
-copy_source(const OnMesh *on, Soup *s)
+copy_fields(const OnMesh *on, Soup *s)
 {
-	const double *from = channel_values(&on->s.channels, MESH_SOURCE);
+	const Channels *c = &on->s.channels;
 	double *to;
+	int k;
 
-	if (!from)
-		return;
-	if (!(to = channel_add(&s->channels, MESH_SOURCE, 1, (size_t)s->nv)))
-		die("%s: no memory for the numbers of %d vertices", on->name, s->nv);
-	memcpy(to, from, (size_t)s->nv*sizeof *to);
+	for (k = 0; k < c->n; k++) {
+		const Channel *from = &c->channel[k];
+
+		if (strcmp(from->name, MESH_UV) == 0 || strcmp(from->name, MESH_OFFSET) == 0)
+			continue;
+		if (!(to = channel_add(&s->channels, from->name, from->n, (size_t)s->nv)))
+			die("%s: no memory for %s at %d vertices", on->name, from->name, s->nv);
+		memcpy(to, from->f, (size_t)s->nv*(size_t)from->n*sizeof *to);
+		channel_find(&s->channels, from->name)->type = from->type;
+	}
 }
 
 /* Sets uv to the (u,v) of the vertices of `on` in the chart of g, or dies. */
@@ -189,7 +195,7 @@ place_mesh(const CmdInput *in, const Lhg *g, const double *const phi[3], const O
 	s->channels = (Channels){ 0 };
 	if (!(uv = channel_add(&s->channels, MESH_UV, 2, (size_t)s->nv)))
 		die("%s: no memory for the (u,v) of %d vertices", on->name, s->nv);
-	copy_source(on, s);
+	copy_fields(on, s);
 	places(in, g, on, uv);
 	if (!o || on->offsets == OFFSETS_DROP) {
 		gridpoint_vertices(chart, 3, phi, s->nv, uv, s->xyz);

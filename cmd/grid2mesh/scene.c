@@ -57,10 +57,9 @@ colours(const double *f, int nv)
 }
 
 static void
-begin(Scene *s, const CmdInput *in, const Soup *soup)
+begin(Scene *s, const CmdInput *in, const Soup *soup, const Fields *fields)
 {
 	char err[MESH_ERRLEN];
-	int k, other = 0;
 
 	s->nv = soup->nv;
 	if (soup->first) {
@@ -71,15 +70,10 @@ begin(Scene *s, const CmdInput *in, const Soup *soup)
 		s->tri = cmd_alloc((size_t)s->nf, 3*sizeof *s->tri);
 		memcpy(s->tri, soup->idx, 3*(size_t)s->nf*sizeof *s->tri);
 	}
-	for (k = 0; k < soup->channels.n; k++) {
-		const Channel *c = &soup->channels.channel[k];
-
-		if (strcmp(c->name, MESH_UV) == 0 || strcmp(c->name, MESH_OFFSET) == 0 || strcmp(c->name, MESH_SOURCE) == 0)
-			continue;
-		if (other++)
-			misuse("--with: a .glb file has the colours of one channel");
-		s->colour = colours(c->f, s->nv);
-	}
+	if (fields->names && strchr(fields->names, ','))
+		misuse("--with: a .glb file has the colours of one channel");
+	if (fields->names)
+		s->colour = colours(channel_values(&soup->channels, fields->names), s->nv);
 }
 
 void
@@ -91,7 +85,7 @@ scene_add(Scene *s, const CmdInput *in, const Lhg *g, const OnMesh *on, const Fi
 
 	gridfile_soup(in, g, on, fields, 1, ".glb", &soup);
 	if (!s->frames)
-		begin(s, in, &soup);
+		begin(s, in, &soup, fields);
 	if (soup.nv != s->nv)
 		die("%s: frame %d has %d vertices, the first %d: a .glb file morphs one mesh", in->name, s->frames + 1,
 			soup.nv, s->nv);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../../lib/mesh/channel.h"
 #include "../shared/cmd.h"
 #include "notes.h"
 
@@ -143,6 +144,21 @@ left(Lines *l, const MendReport *r)
 		line(l, 1, "no disk: more than one boundary loop is left");
 }
 
+/* Notes the numbers of the file that the result or its format has no place for. */
+static void
+unplaced(const char *name, const Soup *s, const MendReport *r, const MeshFormat *format)
+{
+	const int fields = s->channels.n - (channel_find(&s->channels, MESH_SOURCE) != NULL);
+
+	if (s->left_out)
+		note("%s: left out: %s", name, s->left_out);
+	if (fields && !(format->can & MESHFORMAT_FIELDS))
+		note("%s: %s has no place for the %d propert%s of the vertices, PLY does", name, format->name, fields,
+		    fields == 1 ? "y" : "ies");
+	if (strcmp(format->name, "PLY") != 0 && (r->unused || r->holes))
+		note("%s: %s has no place for source and filled, PLY does", name, format->name);
+}
+
 char *
 notes(const char *name, const Soup *s, const MendReport *r, const MeshFormat *format)
 {
@@ -155,8 +171,7 @@ notes(const char *name, const Soup *s, const MendReport *r, const MeshFormat *fo
 	flat(&l, r);
 	filled(&l, r);
 	left(&l, r);
-	if (strcmp(format->name, "PLY") != 0 && (r->unused || r->holes))
-		note("%s: %s has no place for source and filled, PLY does", name, format->name);
+	unplaced(name, s, r, format);
 	putc('\0', l.t.f);
 	cmd_text_close(&l.t);
 	return l.t.bytes;

@@ -4,43 +4,15 @@
 #include <string.h>
 
 #include "../../lib/mesh/channel.h"
+#include "../../lib/mesh/spread.h"
 #include "../shared/cmd.h"
 #include "carry.h"
-
-/* Gives each vertex that has none (known 0) the mean of its neighbours' numbers, from face to face; 0 if no face
- * leads to it. */
-static void
-spread(const Soup *s, unsigned char *known, double *f)
-{
-	double *sum = cmd_alloc((size_t)s->nv, sizeof *sum);
-	int *n = cmd_alloc((size_t)s->nv, sizeof *n), k, i, p, found;
-
-	do {
-		found = 0;
-		memset(sum, 0, (size_t)s->nv*sizeof *sum);
-		memset(n, 0, (size_t)s->nv*sizeof *n);
-		for (k = 0; k < s->nf; k++)
-			for (i = s->first[k]; i < s->first[k+1]; i++)
-				for (p = s->first[k]; p < s->first[k+1] && !known[s->idx[i]]; p++)
-					if (known[s->idx[p]]) {
-						sum[s->idx[i]] += f[s->idx[p]];
-						n[s->idx[i]]++;
-					}
-		for (p = 0; p < s->nv; p++)
-			if (n[p]) {
-				f[p] = sum[p]/n[p];
-				known[p] = 1;
-				found = 1;
-			}
-	} while (found);
-	free(sum);
-	free(n);
-}
 
 void
 carry_numbers(const Soup *s, const double *source, const double *from, double *to)
 {
 	unsigned char *known;
+	Spread a;
 	int p;
 
 	if (!source) {
@@ -52,7 +24,10 @@ carry_numbers(const Soup *s, const double *source, const double *from, double *t
 		known[p] = source[p] >= 0;
 		to[p] = known[p] ? from[(int)source[p]] : 0;
 	}
-	spread(s, known, to);
+	if (spread_init(&a, s, known))
+		die("no memory for numbers at %d vertices", s->nv);
+	spread_mean(&a, 1, to);
+	spread_free(&a);
 	free(known);
 }
 

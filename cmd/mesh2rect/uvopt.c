@@ -25,7 +25,7 @@ opt_uv(const char *file, const char *mesh)
 	if (out ? same_file(file, out) : same_as_stream(file, STDOUT_FILENO))
 		misuse("--uv=%s: the grid is written there, by --output", file);
 	if (cmd_name_of(mesh) == mesh ? same_file(file, mesh) : same_as_stream(file, STDIN_FILENO))
-		misuse("--uv=%s: the mesh is read from there, and would lose all but positions and faces", file);
+		misuse("--uv=%s: the mesh is read from there, and would lose what FILE has no place for", file);
 }
 
 /* Adds the channel MESH_OFFSET to s, computed from the (u,v) of s and the grid phi. */
@@ -48,7 +48,41 @@ add_offsets(const char *file, Soup *s, Chart g, const double *const phi[3])
 }
 
 void
-uv_write(const char *file, Soup *s, const Disk *d, const double *u, const double *v, Chart g,
+uv_set_aside(Soup *s, Channels *own)
+{
+	int k, n = 0;
+
+	*own = (Channels){ 0, cmd_alloc((size_t)s->channels.n + 1, sizeof *own->channel) };
+	for (k = 0; k < s->channels.n; k++)
+		if (strcmp(s->channels.channel[k].name, MESH_SOURCE) == 0)
+			s->channels.channel[n++] = s->channels.channel[k];
+		else
+			own->channel[own->n++] = s->channels.channel[k];
+	s->channels.n = n;
+}
+
+static void
+add_own(const char *file, Soup *s, Channels *own)
+{
+	const size_t nv = (size_t)s->nv;
+	double *f;
+	int k;
+
+	for (k = 0; k < own->n; k++) {
+		const Channel *c = &own->channel[k];
+
+		if (channel_find(&s->channels, c->name))
+			continue;
+		if (!(f = channel_add(&s->channels, c->name, c->n, nv)))
+			die("%s: no memory for %s at %d vertices", file, c->name, s->nv);
+		memcpy(f, c->f, nv*(size_t)c->n*sizeof *f);
+		channel_find(&s->channels, c->name)->type = c->type;
+	}
+	channels_free(own);
+}
+
+void
+uv_write(const char *file, Soup *s, Channels *own, const Disk *d, const double *u, const double *v, Chart g,
 	const double *const phi[3])
 {
 	char *bytes;
@@ -58,6 +92,7 @@ uv_write(const char *file, Soup *s, const Disk *d, const double *u, const double
 		die("%s: %s", file, s->err);
 	s->chart = g.kind;
 	add_offsets(file, s, g, phi);
+	add_own(file, s, own);
 	if (s->filled && strcmp(meshformat_of(file)->name, "PLY") != 0)
 		note("%s: only PLY marks the faces that fill holes: grid2mesh --on will keep them", file);
 	if (meshfile_write(s, meshformat_of(file), &bytes, &n))

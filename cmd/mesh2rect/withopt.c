@@ -62,6 +62,7 @@ read_file(const char *path, Soup *s)
 		double *to;
 
 		clean(f.c.channel[k].name);
+		f.c.channel[k].name[LHG_NAMELEN - 1] = '\0';
 		if (channel_find(&s->channels, f.c.channel[k].name))
 			die("%s: a second channel %s", path, f.c.channel[k].name);
 		if (!(to = channel_add(&s->channels, f.c.channel[k].name, 1, (size_t)s->nv)))

@@ -12,6 +12,7 @@
 #include "open.h"
 #include "piece.h"
 #include "step.h"
+#include "values.h"
 
 static int
 flatten(Sheet *s, MendReport *r)
@@ -122,7 +123,7 @@ add_source(Soup *out, const int *source)
 static int
 make_soup(Soup *out, Sheet *s, const Soup *from)
 {
-	int f;
+	int f, e;
 
 	if (!(out->first = mesh_alloc(out->err, (size_t)s->nf + 1, sizeof *out->first)) ||
 	    channels_gather(&out->channels, &from->channels, s->nv, s->source, 0))
@@ -132,6 +133,8 @@ make_soup(Soup *out, Sheet *s, const Soup *from)
 		out->first[f] = 3*f;
 	out->xyz = s->xyz, out->idx = s->tri, out->filled = s->filled;
 	s->xyz = NULL, s->tri = NULL, s->filled = NULL;
+	if ((e = values_made(out, s->source)) != 0)
+		return e;
 	return add_source(out, s->source);
 }
 

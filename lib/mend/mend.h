@@ -85,7 +85,7 @@ typedef struct MendReport {
 #define MEND_DEFAULTS ((MendOptions){ .components = 1, .max_hole = 1, .fill = MEND_C2 })
 
 /* Makes out from s: triangles, channel MESH_SOURCE (the number of each vertex in s, or its own MESH_SOURCE
- * if s has one; -1: made here), the channels of s (0 where a vertex was made), and out->filled.  Vertices
+ * if s has one; -1: made here), the channels of s (values.h where a vertex was made), and out->filled.  Vertices
  * that are kept have their positions bit by bit, and the order that they have in s.  Vertices made by
  * parting fans, by cuts and by filling holes follow.
  *

@@ -11,6 +11,15 @@ Channel *channel_find(const Channels *c, const char *name);
 /* The values of the channel of that name, [nv][n], or NULL. */
 double *channel_values(const Channels *c, const char *name);
 
+/* Whether numbers of that type are whole. */
+int channel_whole(ChannelType type);
+
+/* Whether it is red, green, blue or alpha. */
+int channel_colour(const Channel *c);
+
+/* Whether a file can hold x as that type; floats also where they round it. */
+int channel_holds(ChannelType type, double x);
+
 /* The values of MESH_SOURCE at nv vertices, if all are numbers of vertices of a mesh of `most`, or -1; else NULL. */
 const double *channel_source(const Channels *c, int nv, int most);
 

@@ -14,9 +14,10 @@ soup_free(Soup *s)
 	free(s->filled);
 	channels_free(&s->channels);
 	free(s->facts);
+	free(s->left_out);
 	s->xyz = NULL;
 	s->filled = NULL;
-	s->facts = NULL;
+	s->facts = s->left_out = NULL;
 	s->first = s->idx = NULL;
 	s->nv = s->nf = 0;
 }

@@ -21,16 +21,24 @@ enum {
 
 enum { MESH_ERRLEN = 256 };
 
-enum { CHANNEL_NAME = 32 };
+enum { CHANNEL_NAME = 64 };
 #define MESH_UV "uv"            /* the channel of places in the rectangle [0,1] x [0,T], two numbers;
                                  * (-1,-1) where a vertex has none */
 #define MESH_OFFSET "offset"    /* the channel of offsets from a gridded surface at these places, four
 				 * numbers: see lib/grid/detail.h */
 #define MESH_SOURCE "source"    /* the channel of numbers that vertices had in another file; -1: none */
 
+/* The type of the numbers of a channel in the file that they come from. */
+typedef enum ChannelType {
+	CHANNEL_ANY,            /* not known: written as doubles, colours as bytes */
+	CHANNEL_INT8, CHANNEL_UINT8, CHANNEL_INT16, CHANNEL_UINT16, CHANNEL_INT32, CHANNEL_UINT32,
+	CHANNEL_FLOAT, CHANNEL_DOUBLE
+} ChannelType;
+
 /* Numbers at every vertex, beside its position. */
 typedef struct Channel {
 	char    name[CHANNEL_NAME];
+	ChannelType type;
 	int     n;              /* numbers at each vertex: 1 for a scalar, 3 for a colour */
 	double *f;              /* [nv][n] */
 } Channel;
@@ -54,6 +62,8 @@ typedef struct Soup {
 	unsigned char *filled;  /* [nf] 1: the face fills a hole; NULL: not known */
 	const char *remarks;    /* lines for comments of the file that is written, or NULL; not freed
 	                         * with the soup */
+	char   *left_out;       /* the numbers of the file that have no place here, as a list for a message, such as "list
+	                         * weights at vertices, flags at faces"; NULL: none, or not asked for */
 	char   *facts;          /* what the file says of its coordinates: a line "key value\n" for each
 	                         * fact, printable ASCII (lib/meshfile/facts.h); NULL: nothing */
 } Soup;

@@ -65,7 +65,7 @@ typedef struct Fields {
 	const char *name;
 	XmlArray    a;
 	long long   dim;
-	int         wanted, count;
+	int         inside, wanted, count;      /* within a DataArray; one of numbers; arrays read */
 	Token       key, label; /* of the last metadatum; the Name of the array */
 } Fields;
 
@@ -80,8 +80,9 @@ start(Xml *x, const char *element, const char **attr)
 
 	if (strcmp(element, "DataArray") != 0)
 		return 0;
-	free(f->a.own);
-	f->a.own = NULL;
+	if (f->inside)
+		return mesh_fail(f->r->s->err, MESH_EFORMAT, "array %d has another in it", f->count);
+	f->inside = 1;
 	f->wanted = strcmp(xml_attribute(attr, "Intent"), "NIFTI_INTENT_POINTSET") != 0 &&
 	    strcmp(xml_attribute(attr, "Intent"), "NIFTI_INTENT_TRIANGLE") != 0;
 	if (!f->wanted)
@@ -121,7 +122,7 @@ take(Fields *f)
 	if (!(x = xmlarray_numbers(f->r, &f->a, "values", f->dim, &e)))
 		return e;
 	free(f->a.own);
-	f->a.own = NULL;
+	f->a = (XmlArray){ .own = NULL };
 	f->to->nv = (int)f->dim;
 	f->count++;
 	e = add(f->r, &f->to->c, name, x, f->dim);
@@ -140,8 +141,10 @@ end(Xml *x, const char *element)
 		f->key = xml_plain(x->text);
 	else if (strcmp(element, "Value") == 0 && f->key.n == 4 && memcmp(f->key.s, "Name", 4) == 0)
 		f->label = xml_plain(x->text);
-	else if (strcmp(element, "DataArray") == 0 && f->wanted)
-		return take(f);
+	else if (strcmp(element, "DataArray") == 0) {
+		f->inside = 0;
+		return f->wanted ? take(f) : 0;
+	}
 	return 0;
 }
 

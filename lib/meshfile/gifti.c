@@ -46,8 +46,8 @@ data_array(Gifti *g, Xml *x, const char **attr)
 	const char *intent = xml_attribute(attr, "Intent");
 	int e, t, coding;
 
-	free(g->a.own);
-	g->a.own = NULL;
+	if (g->intent != OUTSIDE)
+		return mesh_fail(g->r->s->err, MESH_EFORMAT, "array %lld has another in it", g->arrays);
 	g->intent = strcmp(intent, "NIFTI_INTENT_POINTSET") == 0 ? POINTS :
 	    strcmp(intent, "NIFTI_INTENT_TRIANGLE") == 0 ? TRIANGLES : OTHER;
 	if (g->intent == OTHER)
@@ -139,6 +139,7 @@ take(Gifti *g)
 		return e;
 	free(g->a.own);
 	g->a.own = NULL;
+	g->a.text = (Token){ NULL, 0 };
 	e = points ? take_points(g, f) : take_triangles(g, f);
 	free(f);
 	return e;

@@ -79,9 +79,14 @@ typedef struct MeshBeside {
  * may be numbers of vertices that do not exist; a number beyond an int becomes one below 0.  Returns 0,
  * MESH_ENOMEM or MESH_EFORMAT.
  *
- * MESHFILE_FIELDS: every other number that PLY has at the vertices becomes a channel of its name: colours,
- * quality, but not normals and texture coordinates.  Values may be infinite or nan. */
-enum { MESHFILE_UV = 1, MESHFILE_LOOSE = 2, MESHFILE_FIELDS = 4 };
+ * MESHFILE_FIELDS: every other number that PLY has at the vertices becomes a channel of its name and type: colours,
+ * quality, but not normals and texture coordinates.  Values may be infinite or nan.  A channel has the type of the
+ * file, or CHANNEL_DOUBLE if text has a number that this type cannot hold.  s->left_out lists lists and what else cannot
+ * be a channel, also of faces.
+ *
+ * MESHFILE_NORMALS, with MESHFILE_FIELDS: normals and texture coordinates, too, as nx ny nz s t .., unless they are the
+ * (u,v) of a map, to which offsets belong. */
+enum { MESHFILE_UV = 1, MESHFILE_LOOSE = 2, MESHFILE_FIELDS = 4, MESHFILE_NORMALS = 8 };
 
 /* How to parse a mesh file. */
 typedef struct MeshParse {

@@ -12,7 +12,7 @@ typedef struct Reader {
 	const char *p, *end;    /* the remaining bytes */
 	long   line;            /* the line of p, counted from 1 */
 	int    hash;            /* # begins a comment */
-	int    read_uv, loose, fields;          /* MESHFILE_UV, MESHFILE_LOOSE, MESHFILE_FIELDS of meshfile.h */
+	int    read_uv, loose, fields, normals; /* MESHFILE_UV, LOOSE, FIELDS and NORMALS of meshfile.h */
 	double *uv;             /* the values of MESH_UV, once uv_start made it */
 	double (*offset)[4];    /* the values for MESH_OFFSET; noffset of them were read */
 	size_t noffset, capoffset;

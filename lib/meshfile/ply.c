@@ -1,5 +1,4 @@
 /* ply.c - the data of a PLY file. */
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -146,34 +145,6 @@ has_use(const Ply *p, const PlyElem *e, int use)
 	return 0;
 }
 
-/* Whether a property of vertices is a number that is no place, normal or (u,v), with a name that fits. */
-static int
-is_field(const PlyProp *q)
-{
-	return !q->count && q->use == PLY_SKIP && q->name.n < CHANNEL_NAME && ply_uv_use(q->name) == PLY_SKIP &&
-	    !scan_is(q->name, "nx") && !scan_is(q->name, "ny") && !scan_is(q->name, "nz");
-}
-
-/* Makes channels of the fields of the vertices e. */
-static int
-reserve_fields(Ply *p, const PlyElem *e)
-{
-	Soup *s = p->r->s;
-	char name[CHANNEL_NAME];
-	int i;
-
-	for (i = e->p0; i < e->p1; i++) {
-		if (!is_field(&p->prop[i]))
-			continue;
-		snprintf(name, sizeof name, "%.*s", (int)p->prop[i].name.n, p->prop[i].name.s);
-		if (channel_find(&s->channels, name))
-			return mesh_fail(s->err, MESH_EFORMAT, "vertices have two properties %s", name);
-		if (!(p->prop[i].field = channel_add(&s->channels, name, 1, (size_t)e->n)))
-			return mesh_fail(s->err, MESH_ENOMEM, "no memory for %s at %lld vertices", name, e->n);
-	}
-	return 0;
-}
-
 /* Allocates memory for the numbers of vertices in another file, and for the marks of faces in holes,
  * if the file has them. */
 static int
@@ -205,7 +176,7 @@ reserve(Ply *p, const PlyElem *e)
 		return err;
 	if ((err = reserve_marks(p, e)) != 0)
 		return err;
-	if (e->kind == PLY_VERTEX && p->r->fields && (err = reserve_fields(p, e)) != 0)
+	if (e->kind == PLY_VERTEX && p->r->fields && (err = ply_fields(p, e)) != 0)
 		return err;
 	if (e->kind == PLY_VERTEX && p->uv && (err = uv_start(p->r, (size_t)e->n)) != 0)
 		return err;
@@ -248,6 +219,8 @@ ply_read(Reader *r)
 		for (c.i = 0; c.i < c.e->n; c.i++)
 			if ((e = record(&c)) != 0)
 				return e;
+		if (c.e->kind == PLY_VERTEX)
+			ply_field_types(&p, c.e);
 		if (c.e->kind == PLY_STRIP) {   /* its faces are not marked */
 			free(r->s->filled);
 			r->s->filled = NULL;

@@ -3,7 +3,7 @@
 
 #include "plypriv.h"
 
-static const PlyType TYPE[] = {
+static const PlyType TYPE[] = {         /* in the order of ChannelType */
 	{ "char",   "int8",    1, 'i' }, { "uchar",  "uint8",   1, 'u' },
 	{ "short",  "int16",   2, 'i' }, { "ushort", "uint16",  2, 'u' },
 	{ "int",    "int32",   4, 'i' }, { "uint",   "uint32",  4, 'u' },
@@ -28,6 +28,18 @@ typenamed(Token t)
 		if (scan_is(t, TYPE[i].name) || scan_is(t, TYPE[i].alias))
 			return &TYPE[i];
 	return NULL;
+}
+
+ChannelType
+ply_channel_type(const PlyType *t)
+{
+	return (ChannelType)(CHANNEL_INT8 + (t - TYPE));
+}
+
+const PlyType *
+ply_type(ChannelType type)
+{
+	return &TYPE[type - CHANNEL_INT8];
 }
 
 /* "format ascii 1.0" */

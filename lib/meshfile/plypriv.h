@@ -45,6 +45,18 @@ typedef struct Ply {
 /* Read up to the first byte of the data.  Returns 0 or MESH_EFORMAT. */
 int ply_header(Ply *p);
 
+/* The type of a property as that of a channel, and the property type for a channel of a type other than CHANNEL_ANY. */
+ChannelType ply_channel_type(const PlyType *t);
+const PlyType *ply_type(ChannelType type);
+
+/* Makes channels of the properties of the vertices e, with which q->field is set, and s->left_out.  Returns 0, MESH_ENOMEM,
+ * or MESH_EFORMAT if two have one name. */
+int ply_fields(Ply *p, const PlyElem *e);
+
+/* Sets the types of these channels, once they are read: CHANNEL_DOUBLE if text had a number that the type in the header
+ * cannot hold. */
+void ply_field_types(const Ply *p, const PlyElem *e);
+
 /* The use of a vertex property of (u,v) or an offset, when these are to be read, else PLY_SKIP. */
 int ply_uv_use(Token name);
 

@@ -1,10 +1,12 @@
 /* plywrite.c - a mesh as the bytes of a binary PLY file. */
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "../mesh/channel.h"
+#include "plypriv.h"
 #include "writepriv.h"
 
 static void
@@ -47,11 +49,31 @@ is_field(const Channel *c)
 	return strcmp(c->name, MESH_UV) != 0 && strcmp(c->name, MESH_OFFSET) != 0 && strcmp(c->name, MESH_SOURCE) != 0;
 }
 
-static int
-is_colour(const Has *has, const Channel *c)
+/* The type that a field is written as. */
+static const PlyType *
+type_of(const Has *has, const Channel *c)
 {
-	return has->colours && c->n == 1 && (strcmp(c->name, "red") == 0 || strcmp(c->name, "green") == 0 ||
-	    strcmp(c->name, "blue") == 0 || strcmp(c->name, "alpha") == 0);
+	return ply_type(c->type != CHANNEL_ANY ? c->type : has->colours && channel_colour(c) ? CHANNEL_UINT8 : CHANNEL_DOUBLE);
+}
+
+/* x as that type; the nearest number that it holds, 0 for NaN. */
+static void
+typed(Text *t, const PlyType *type, double x)
+{
+	const int bits = 8*type->size - (type->kind == 'i');
+	const double most = ldexp(1, bits) - 1;
+	uint32_t w;
+	float y;
+
+	if (type->kind != 'f') {
+		x = isnan(x) ? 0 : fmin(fmax(rint(x), type->kind == 'i' ? -most - 1 : 0), most);
+		text_bytes(t, (uint64_t)(int64_t)x, type->size);
+	} else if (type->size == 4) {
+		y = fabs(x) <= (double)FLT_MAX || !isfinite(x) ? (float)x : (float)copysign(FLT_MAX, x);
+		memcpy(&w, &y, 4);
+		text_bytes(t, w, 4);
+	} else
+		doubles(t, &x, 1);
 }
 
 /* A property for each number of a field: NAME, or NAME_0 NAME_1 .. */
@@ -65,7 +87,7 @@ field_properties(Text *t, const Has *has, const Channels *c)
 			if (!text_room(t))
 				return MESH_ENOMEM;
 			t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "property %s %s",
-			    is_colour(has, &c->channel[k]) ? "uchar" : "double", c->channel[k].name);
+			    type_of(has, &c->channel[k])->name, c->channel[k].name);
 			if (c->channel[k].n > 1)
 				t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX/2, "_%d", i);
 			text_words(t, "\n");
@@ -105,7 +127,7 @@ plyhead(Text *t, const Soup *s, const Has *has, int size)
 static int
 plyvertex(Text *t, const Soup *s, const Has *has, int i)
 {
-	int k;
+	int k, j;
 
 	if (!text_room(t))
 		return MESH_ENOMEM;
@@ -121,10 +143,8 @@ plyvertex(Text *t, const Soup *s, const Has *has, int i)
 
 		if (!text_room(t))
 			return MESH_ENOMEM;
-		if (is_colour(has, c))
-			text_bytes(t, (uint64_t)fmin(fmax(rint(c->f[i]), 0), 255), 1);
-		else if (is_field(c))
-			doubles(t, c->f + (size_t)c->n*i, c->n);
+		for (j = 0; j < c->n && is_field(c); j++)
+			typed(t, type_of(has, c), c->f[(size_t)c->n*(size_t)i + (size_t)j]);
 	}
 	return 0;
 }

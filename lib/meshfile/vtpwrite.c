@@ -38,6 +38,14 @@ append_double(Array *a, double x)
 	append(a, w);
 }
 
+/* Appends a name, with _ in place of what an attribute cannot hold. */
+static void
+name_attribute(Text *t, const char *name)
+{
+	for (; *name; name++)
+		t->p[t->n++] = strchr("<>&\"", *name) ? '_' : *name;
+}
+
 /* Writes the element and frees the array. */
 static int
 element(Text *t, Array *a, const char *type, const char *name, int columns)
@@ -48,8 +56,9 @@ element(Text *t, Array *a, const char *type, const char *name, int columns)
 	a->n = 0;
 	append(a, bytes);
 	if (text_room(t)) {
-		t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "<DataArray type=\"%s\" Name=\"%s\" NumberOfComponents=\"%d\" "
-		    "format=\"binary\">\n", type, name, columns);
+		t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX, "<DataArray type=\"%s\" Name=\"", type);
+		name_attribute(t, name);
+		t->n += (size_t)snprintf(t->p + t->n, TEXT_MAX/2, "\" NumberOfComponents=\"%d\" format=\"binary\">\n", columns);
 		e = text_base64(t, a->b, bytes + 8);
 	}
 	free(a->b);

@@ -20,7 +20,8 @@ void   fuzz_mark(void);
 
 /* Reads the bytes as a mesh, and aborts if a check fails.  An accepted mesh must be finite, its indices in
  * range, and it must come back bit by bit after writing; n chooses the format.  One n in four is read with
- * MESHFILE_LOOSE instead, as mesh2disk reads: then the arrays are checked only.  A refused mesh must have a
+ * MESHFILE_FIELDS, and its channels must come back, too; one in four as mesh2disk reads, also with MESHFILE_LOOSE: then the
+ * arrays are checked only.  A refused mesh must have a
  * message of one line and nothing to free.  Reading must not use more than `most` bytes of memory. */
 void fuzz_mesh(const uint8_t *data, size_t n, size_t most);
 

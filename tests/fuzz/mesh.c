@@ -22,7 +22,8 @@ refused(const Soup *s)
 {
 	const char *p;
 
-	fuzz_need(!s->xyz && !s->first && !s->idx && !s->channels.n && !s->facts, "a refused mesh has something to free");
+	fuzz_need(!s->xyz && !s->first && !s->idx && !s->channels.n && !s->facts && !s->left_out,
+	    "a refused mesh has something to free");
 	fuzz_need(s->err[0] != '\0', "a refusal without a message");
 	for (p = s->err; *p; p++)
 		fuzz_need(*p >= 0x20 && *p < 0x7f, "a message is not one printable line");
@@ -78,11 +79,40 @@ samenumbers(const double *a, const double *b, size_t n, int single)
 	return 1;
 }
 
+/* x as a file stores it as that type. */
+static double
+stored(ChannelType type, double x)
+{
+	return type == CHANNEL_FLOAT ? (double)(float)x : x;
+}
+
+/* Checks that b has the channels of a, with their types.  The file is a PLY, and names are those of a PLY. */
+static void
+samefields(const Soup *a, const Soup *b)
+{
+	const Channel *c, *d;
+	double x;
+	int i, k;
+
+	for (k = 0; k < a->channels.n; k++) {
+		c = &a->channels.channel[k];
+		if (strcmp(c->name, MESH_SOURCE) == 0)
+			continue;
+		d = channel_find(&b->channels, c->name);
+		fuzz_need(d && d->n == c->n && d->type == c->type, "a channel does not come back");
+		for (i = 0; i < a->nv; i++) {
+			x = stored(c->type, c->f[i]);
+			fuzz_need(channel_holds(c->type, x), "a channel has a type that cannot hold its numbers");
+			fuzz_need(d->f[i] == x || (isnan(x) && isnan(d->f[i])), "numbers of a channel do not come back");
+		}
+	}
+}
+
 /* Checks that b equals a, after a was written in this format and read again as b.  The (u,v) are compared at
  * the corners of faces only, since OBJ stores none for a vertex that belongs to no face; facts if the format
  * has comments for them. */
 static void
-same(const Soup *a, const Soup *b, const MeshFormat *format)
+same(const Soup *a, const Soup *b, const MeshFormat *format, unsigned what)
 {
 	const int comments = (format->can & MESHFORMAT_UV) != 0, single = (format->can & MESHFORMAT_SINGLE) != 0;
 	const double *u = channel_values(&a->channels, MESH_UV), *v = channel_values(&b->channels, MESH_UV);
@@ -100,6 +130,8 @@ same(const Soup *a, const Soup *b, const MeshFormat *format)
 		fuzz_need(samebits(u + 2*(size_t)a->idx[i], v + 2*(size_t)a->idx[i], 2*sizeof(double)),
 		    "(u,v) do not come back");
 	fuzz_need(!o == !p && (!o || samebits(o, p, 4*nv*sizeof(double))), "offsets do not come back");
+	if (strcmp(format->name, "PLY") == 0 && (what & MESHFILE_FIELDS))
+		samefields(a, b);
 }
 
 /* Checks that s is the same after it was written in this format and read again. */
@@ -120,7 +152,7 @@ comesback(const Soup *s, const MeshFormat *format, unsigned what)
 	fuzz_need(e == 0 || s->nv == 0, "what was written is refused");
 	if (e)
 		return;                 /* some formats need at least one vertex */
-	same(s, &again, format);
+	same(s, &again, format, what);
 	soup_free(&again);
 }
 
@@ -228,7 +260,9 @@ one(unsigned what, const uint8_t *data, size_t n, size_t most)
 void
 fuzz_mesh(const uint8_t *data, size_t n, size_t most)
 {
-	one(n % 4 == 3 ? MESHFILE_LOOSE : 0, data, n, most);
+	static const unsigned what[4] = { 0, MESHFILE_FIELDS, 0, MESHFILE_LOOSE | MESHFILE_FIELDS | MESHFILE_NORMALS };
+
+	one(what[n % 4], data, n, most);
 }
 
 void
