@@ -68,9 +68,8 @@ static const char text[] =
 "      --with=FILE[,FILE..]  also numbers at the vertices of MESH, as channels: FreeSurfer's curv, sulc.., "
 "GIFTI .shape.gii, PLY's colours, quality..; one for each vertex of MESH, or of what mesh2disk made it of\n"
 "      --uv=FILE      write the mesh, with its (u,v) and offsets from the grid, to FILE {uv ends}:\n"
-"                     for textures, and grid2mesh --on; PLY to PLY keeps colours, labels ..;\n"
-"                     vertices of no face get -1,-1; no triangle is turned over, else noted;\n"
-"                     FILE is neither MESH nor output\n"
+"                     for textures, and grid2mesh --on; vertices of no face get -1,-1;\n"
+"                     no triangle is turned over, else noted; FILE is neither MESH nor output\n"
 CMD_USAGE
 "Example: mesh2rect --uv=face-uv.ply face.ply | grid2lh -o face.lhg\n";
 
