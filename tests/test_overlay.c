@@ -69,20 +69,32 @@ check_areas(double area, const Mesh *m, const double *u, const double *v, double
 	assert_true(fabs(image/T - 1) < 1e-10);
 }
 
-/* Maps d, overlays the mesh with its intrinsic triangulation and checks the overlay.  Returns the
- * number of crossings. */
+/* Checks that of n vertices only the four of `vertex` are mapped to corners of the rectangle. */
+static void
+check_corners(int n, const double *u, const double *v, double T, const int vertex[4])
+{
+	int i, k, at = 0;
+
+	for (i = 0; i < n; i++)
+		at += (u[i] == 0 || u[i] == 1) && (v[i] == 0 || v[i] == T);
+	assert_int_equal(at, 4);
+	for (k = 0; k < 4; k++) {
+		assert_true(u[vertex[k]] == (k == 1 || k == 2));
+		assert_true(v[vertex[k]] == (k < 2 ? 0 : T));
+	}
+}
+
+/* Maps d with these corners, overlays the mesh with its intrinsic triangulation and checks the
+ * overlay.  Returns the number of crossings. */
 static size_t
-check_overlay(const Disk *d)
+check_overlay_with(const Disk *d, const int vertex[4])
 {
 	SpdReport report;
 	IntrinsicMap m;
 	Disk mesh;
 	size_t n;
-	int corner[4], vertex[4], k, nb;
+	int nb;
 
-	assert_true(corners_auto(d, corner) >= 0);
-	for (k = 0; k < 4; k++)
-		vertex[k] = d->loop[corner[k]];
 	assert_int_equal(intrinsic_map(d, vertex, &(AdaptOptions){ 1, 0, 30000 }, &m, &report), 0);
 	nb = m.s.mesh.d.nb;
 	n = count_crossings(&m.s.t);
@@ -97,9 +109,22 @@ check_overlay(const Disk *d)
 	assert_true(disks_is_disk(&m.s.mesh.d));
 	check_crossings(&m.s.t, &mesh, &m.s.mesh);
 	check_areas(mesh_area(&d->m), &m.s.mesh.d.m, m.u, m.v, m.T);
+	check_corners(m.s.mesh.d.m.nv, m.u, m.v, m.T, vertex);
 	free(mesh.m.tri);
 	intrinsic_map_free(&m);
 	return n;
+}
+
+/* The same with the corners that are chosen by shape. */
+static size_t
+check_overlay(const Disk *d)
+{
+	int corner[4], vertex[4], k;
+
+	assert_true(corners_auto(d, corner) >= 0);
+	for (k = 0; k < 4; k++)
+		vertex[k] = d->loop[corner[k]];
+	return check_overlay_with(d, vertex);
 }
 
 static void
@@ -142,12 +167,46 @@ overlay_of_random_disks(void **state)
 	assert_true(n > 10000);
 }
 
+enum { LONG = 80 };
+
+/* A strip of 40 x 1 in three rows of vertices, vertex 3*i + j at (i/2,j/2).  Three of its corners lie at one
+ * end, the fourth at the other, c: towards c, (u,v) tend to a corner of the rectangle so fast that there are no
+ * binary64 numbers between.  The edge next to c, from 3*LONG to 3*LONG + 2, crosses a Delaunay edge near c. */
+static void
+dead_end(void **state)
+{
+	enum { a = 3*LONG, c, b };
+	double xyz[3*LONG+3][3];
+	int tri[4*LONG][3], i, j, n = 0;
+	Disk d;
+
+	(void)state;
+	for (i = 0; i <= LONG; i++)
+		for (j = 0; j < 3; j++)
+			memcpy(xyz[3*i+j], (double[]){ i/2.0, j/2.0, 0 }, sizeof xyz[0]);
+	xyz[c][0] += .05;
+	for (i = 0; i + 1 < LONG; i++)
+		for (j = 0; j < 2; j++) {
+			memcpy(tri[n++], (int[]){ 3*i + j, 3*i + j + 3, 3*i + j + 4 }, sizeof tri[0]);
+			memcpy(tri[n++], (int[]){ 3*i + j, 3*i + j + 4, 3*i + j + 1 }, sizeof tri[0]);
+		}
+	memcpy(tri[n++], (int[]){ a - 3, a, a - 2 }, sizeof tri[0]);
+	memcpy(tri[n++], (int[]){ a - 2, a, b }, sizeof tri[0]);
+	memcpy(tri[n++], (int[]){ a - 2, b, a - 1 }, sizeof tri[0]);
+	memcpy(tri[n++], (int[]){ a, c, b }, sizeof tri[0]);
+	assert_int_equal(disks_of(3*LONG + 3, xyz[0], n, tri[0], &d), 0);
+	assert_true(check_overlay_with(&d, (int[]){ 0, 6, c, 2 }) > 0);
+	assert_true(check_overlay_with(&d, (int[]){ c, 2, 0, 6 }) > 0);
+	disk_free(&d);
+}
+
 int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(overlay_of_surfaces),
 		cmocka_unit_test(overlay_of_random_disks),
+		cmocka_unit_test(dead_end),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,6 @@
 /* overlay.c - every intrinsic triangle cut along the mesh edges that cross it. */
+#include <float.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -136,19 +138,26 @@ resize(double **x, size_t n)
 	return 0;
 }
 
-/* Continues x to the crossings, linearly along the edges of the triangulation. */
+/* Continues x, u or v, to the crossings, linearly along the edges of the triangulation.  Crossings lie
+ * inside the disk, so x lies in the open interval from 0 to its maximum.  If rounding puts it at an
+ * end, it is replaced by the nearest number inside: only a corner of the disk may be mapped exactly
+ * to a corner of the rectangle (locate.h). */
 static void
 extend_map(const Overlaid *o, double *x)
 {
 	const Intrinsic *t = o->t;
+	double most = 0;
 	size_t k;
-	int e;
+	int e, i;
 
+	for (i = 0; i < t->nv; i++)
+		most = fmax(most, x[i]);
+	most *= 1 - DBL_EPSILON;
 	for (e = 0; e < t->ne; e++) {
 		double a = x[t->from[t->side[e]]], b = x[t->from[intrinsic_next(t->side[e])]];
 
 		for (k = o->places->first[e]; k < o->places->first[e+1]; k++)
-			x[t->nv + k] = a + (b - a)*o->places->on_edge[k];
+			x[t->nv + k] = fmin(fmax(a + (b - a)*o->places->on_edge[k], DBL_MIN), most);
 	}
 }
 
