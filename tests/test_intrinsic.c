@@ -7,6 +7,7 @@
 #include "../lib/base/vec3.h"
 #include "../lib/intrinsic/crossings.h"
 #include "../lib/intrinsic/flips.h"
+#include "../lib/intrinsic/mollify.h"
 #include "../lib/intrinsic/places.h"
 #include "../lib/mesh/topology.h"
 #include "../lib/synth/rng.h"
@@ -222,6 +223,133 @@ thin_triangles_keep_their_area(void **state)
 	assert_int_equal(intrinsic_delaunay(&t, NULL), 0);
 	assert_int_not_equal(t.from[8], before);
 	check_areas(&t, xy, 1);
+	intrinsic_free(&t);
+	disk_free(&d);
+}
+
+/* Sums over the corners at vertex 0: length of the side that starts there, dot product, area. */
+static void
+sums_at_vertex(const Intrinsic *t, double sum[3])
+{
+	int h;
+
+	memset(sum, 0, 3*sizeof *sum);
+	for (h = 0; h < 3*t->nf; h++)
+		if (t->from[h] == 0) {
+			sum[0] += intrinsic_length(t, h);
+			sum[1] += t->dot[h];
+			sum[2] += t->area[h/3];
+		}
+}
+
+/* If the edges at a vertex are halved 28 times, the triangles there are exactly similar to the given ones, although
+ * they are smaller than the rounding errors of their coordinates, 1e-16, times 1e8. */
+static void
+short_edges_keep_their_digits(void **state)
+{
+	const double xyz[] = { .1,.2,.7, 1.3,.1,.3, .9,1.1,.4, -.7,.8,.6, -.8,-.9,.3, .6,-1.2,.2 };
+	const int tri[] = { 0,1,2, 0,2,3, 0,3,4, 0,4,5, 0,5,1 };
+	double was[3], is[3];
+	SurfacePoint point[16];
+	Intrinsic given, t;
+	Subdivision s;
+	int h, k, n;
+	Disk d;
+
+	(void)state;
+	assert_int_equal(disks_of(6, xyz, 5, tri, &d), 0);
+	assert_int_equal(subdivision_init(&s, &d), 0);
+	for (k = 0; k < 28; k++) {
+		for (n = 0, h = 0; h < 3*s.d.m.nf; h++)
+			if (s.d.m.tri[h] == 0)
+				point[n++] = subdivision_on_side(h, .5);
+		assert_int_equal(subdivision_add(&s, n, point), 5);
+	}
+	assert_int_equal(intrinsic_init(&given, &d) | intrinsic_init_subdivision(&t, &s), 0);
+	sums_at_vertex(&given, was), sums_at_vertex(&t, is);
+	for (k = 0; k < 3; k++)
+		assert_true(fabs(ldexp(is[k], k ? 56 : 28)/was[k] - 1) < 1e-14);
+	intrinsic_free(&given);
+	intrinsic_free(&t);
+	subdivision_free(&s);
+	disk_free(&d);
+}
+
+enum { SPOKES = 6, STEPS = 30, NEEDLED = 1 + SPOKES + 2*STEPS };
+
+/* A hexagon with its middle, vertex 0, at the origin.  Two opposite ones of its spokes are halved again and again
+ * towards the middle; these points are joined to the ends of the neighbouring spokes by needles. */
+static void
+make_needles(double xyz[NEEDLED][3], Disk *d)
+{
+	int tri[2*SPOKES*STEPS][3], s, k, n = 0;
+
+	memset(xyz, 0, 3*NEEDLED*sizeof(double));
+	for (s = 0; s < SPOKES; s++) {
+		double *end = xyz[1 + s];
+
+		end[0] = (1 + .1*s)*cos(s + .2*sin(3*s)), end[1] = (1 + .1*s)*sin(s + .2*sin(3*s));
+		for (k = 0; k < STEPS && s%3 == 0; k++) {
+			double *x = xyz[1 + SPOKES + STEPS*(s/3) + k];
+
+			x[0] = ldexp(end[0], -k - 1), x[1] = ldexp(end[1], -k - 1);
+		}
+	}
+	for (s = 0; s < SPOKES; s++) {
+		int a = 1 + s, b = 1 + (s + 1)%SPOKES, halved = s%3 == 0 ? s : (s + 1)%SPOKES;
+		int next = 1 + SPOKES + STEPS*(halved/3);
+
+		for (k = 0; k < STEPS && halved%3 == 0; k++, next++) {
+			memcpy(tri[n++], (int[]){ a, b, next }, sizeof tri[0]);
+			*(halved == s ? &a : &b) = next;
+		}
+		memcpy(tri[n++], (int[]){ a, b, 0 }, sizeof tri[0]);
+	}
+	assert_int_equal(disks_of(NEEDLED, xyz[0], n, tri[0], d), 0);
+}
+
+/* Flips that lead from needles, 1e9 times as long as wide, to well shaped triangles: lengths and angles do not lose
+ * digits on the way. */
+static void
+needles_keep_their_angles(void **state)
+{
+	double xyz[NEEDLED][3], unit;
+	Intrinsic t;
+	Disk d;
+	int h;
+
+	(void)state;
+	make_needles(xyz, &d);
+	assert_int_equal(intrinsic_init(&t, &d), 0);
+	unit = hypot(xyz[t.from[0]][0] - xyz[t.from[1]][0], xyz[t.from[0]][1] - xyz[t.from[1]][1])/intrinsic_length(&t, 0);
+	assert_int_equal(intrinsic_delaunay(&t, NULL), 0);
+	for (h = 0; h < 3*t.nf; h++) {
+		const double *o = xyz[t.from[h]], *p = xyz[t.from[intrinsic_next(h)]], *q = xyz[t.from[intrinsic_last(h)]];
+		double l = hypot(p[0] - o[0], p[1] - o[1])/unit, m = hypot(q[0] - o[0], q[1] - o[1])/unit;
+		double dot = ((p[0] - o[0])*(q[0] - o[0]) + (p[1] - o[1])*(q[1] - o[1]))/(unit*unit);
+
+		assert_true(fabs(intrinsic_length(&t, h)/l - 1) < 1e-12);
+		assert_true(fabs(t.dot[h] - dot) < 1e-12*l*m);
+	}
+	intrinsic_free(&t);
+	disk_free(&d);
+}
+
+/* Four vertices of which three lie on a line, but so near together that angles count as those of a cocircular
+ * quadrilateral: no key makes these three a triangle. */
+static void
+no_key_makes_a_flat_triangle(void **state)
+{
+	const double xyz[] = { 0,0,0, 4e-9,0,0, 8e-9,0,0, 0,1,0 }, key[] = { 0, 1, 0, 1 };
+	const int tri[] = { 0,1,3, 1,2,3 };
+	Intrinsic t;
+	Disk d;
+
+	(void)state;
+	assert_int_equal(disks_of(4, xyz, 2, tri, &d), 0);
+	assert_int_equal(intrinsic_init(&t, &d), 0);
+	assert_int_equal(intrinsic_delaunay(&t, key), 0);
+	assert_true(t.area[0] > 1e-9 && t.area[1] > 1e-9);
 	intrinsic_free(&t);
 	disk_free(&d);
 }
@@ -646,6 +774,9 @@ main(void)
 		cmocka_unit_test(delaunay_with_needles),
 		cmocka_unit_test(mollified_triangles_have_area),
 		cmocka_unit_test(thin_triangles_keep_their_area),
+		cmocka_unit_test(short_edges_keep_their_digits),
+		cmocka_unit_test(needles_keep_their_angles),
+		cmocka_unit_test(no_key_makes_a_flat_triangle),
 		cmocka_unit_test(crossings_of_the_plane),
 		cmocka_unit_test(pieces_use_all_crossings),
 		cmocka_unit_test(order_of_flips_does_not_matter),

@@ -9,6 +9,8 @@
 enum { FLIPS = 20, SOME = 200000 };     /* at most FLIPS*nf + SOME flips */
 static const double COCIRCULAR = 1e-8; /* both diagonals count as Delaunay if |cot a + cot b| is at most
                                          * this times 1 + |cot a| + |cot b| */
+static const double FLAT = 1e-7;        /* a diagonal is no choice if it makes a triangle with less than this share of
+                                         * the quadrilateral: its three corners may lie on a line */
 static const double EQUAL = 1e-9;       /* keys that differ by at most this count as equal */
 
 /* The data of a side while it is renumbered. */
@@ -53,6 +55,29 @@ turn_outer_sides(Intrinsic *t, const int old[4], const int new[4])
 		put_side(t, new[i], m[i]);
 }
 
+/* The quadrilateral of the two triangles at an inner edge ij, with the edge as x axis: the foot of
+ * corner k lies xk beyond i and jk before j, its height is yk; the other corner, l, lies on the other side. */
+typedef struct Quad {
+	double length, xk, jk, yk, xl, jl, yl;
+} Quad;
+
+static Quad
+quad(const Intrinsic *t, int h)
+{
+	int g = t->twin[h];
+	Quad q = { .length = intrinsic_length(t, h) };
+
+	q.xk = intrinsic_foot(t, h, &q.yk);
+	q.jk = t->dot[intrinsic_next(h)]/q.length;
+	q.jl = intrinsic_foot(t, g, &q.yl);
+	q.xl = t->dot[intrinsic_next(g)]/q.length;
+	return q;
+}
+
+/* Twice the areas of the triangles that the other diagonal, kl, makes with i and with j. */
+static double area_i(const Quad *q) { return q->yl*q->xk + q->yk*q->xl; }
+static double area_j(const Quad *q) { return q->yl*q->jk + q->yk*q->jl; }
+
 /* Replaces the edge of side h, from i to j, by the other diagonal of its two triangles, from k to
  * l. */
 static int
@@ -61,8 +86,9 @@ flip(Intrinsic *t, int h)
 	int g = t->twin[h], h1 = intrinsic_next(h), h2 = intrinsic_last(h);
 	int g1 = intrinsic_next(g), g2 = intrinsic_last(g);
 	int i = t->from[h], j = t->from[g], k = t->from[h2], l = t->from[g2], e = t->edge[h];
-	double yk, yl, xk = intrinsic_foot(t, h, &yk), fromj = intrinsic_foot(t, g, &yl);
-	double xl = t->length[e] - fromj;
+	Quad q = quad(t, h);
+	double x = fabs(q.xk) + fabs(q.xl) < fabs(q.jk) + fabs(q.jl) ? q.xk - q.xl : q.jl - q.jk;
+	double y = q.yk + q.yl;
 
 	if (t->crossing && crossings_flip(t, h))
 		return INTRINSIC_ENOMEM;
@@ -70,9 +96,15 @@ flip(Intrinsic *t, int h)
 	t->from[h] = k, t->from[h1] = l, t->from[h2] = j;
 	t->from[g] = l, t->from[g1] = k, t->from[g2] = i;
 	t->side[e] = h;
-	t->area[h/3] = fmax(yl*(t->length[e] - xk) + yk*fromj, 0)/2;
-	t->area[g/3] = fmax(yl*xk + yk*xl, 0)/2;
-	t->length[e] = hypot(xk - xl, yk + yl);
+	t->length[e] = hypot(x, y);
+	t->area[h/3] = fmax(area_j(&q), 0)/2;
+	t->area[g/3] = fmax(area_i(&q), 0)/2;
+	t->dot[h] = y*q.yk - x*q.jk;
+	t->dot[h1] = y*q.yl + x*q.jl;
+	t->dot[h2] = q.jk*q.jl - q.yk*q.yl;
+	t->dot[g] = y*q.yl - x*q.xl;
+	t->dot[g1] = y*q.yk + x*q.xk;
+	t->dot[g2] = q.xk*q.xl - q.yk*q.yl;
 	return 0;
 }
 
@@ -84,15 +116,16 @@ is_higher(const double *key, int i, int j, double x, int k, int l, double y)
 	return key && key[i] + x*(key[j] - key[i]) > key[k] + y*(key[l] - key[k]) + EQUAL;
 }
 
-/* Whether to flip the edge of side h: if it is not Delaunay, or if both diagonals are Delaunay and
- * the other one has the smaller key where they cross.  The keys act as heights over the plane of
+/* Whether to flip the edge of side h: if it is not Delaunay, or if both diagonals are Delaunay, neither makes a
+ * flat triangle, and the other one has the smaller key where they cross.  The keys act as heights over the plane of
  * cocircular vertices: such flips lead to the lower convex hull of these heights, whatever
  * triangulation they begin with. */
 static int
 is_to_flip(const Intrinsic *t, const double *key, int h)
 {
-	int g = t->twin[h], e = t->edge[h];
-	double a, A, b, B, sum, size, xk, xl, yk, yl, y;
+	int g = t->twin[h];
+	double a, A, b, B, sum, size, y;
+	Quad q;
 
 	if (g < 0 || h/3 == g/3)
 		return 0;
@@ -103,9 +136,11 @@ is_to_flip(const Intrinsic *t, const double *key, int h)
 		return 0;
 	if (sum < -COCIRCULAR*size)
 		return 1;
-	xk = intrinsic_foot(t, h, &yk), xl = t->length[e] - intrinsic_foot(t, g, &yl);
-	y = yk/(yk + yl);
-	return is_higher(key, t->from[h], t->from[g], (xk + y*(xl - xk))/t->length[e],
+	q = quad(t, h);
+	if (!(fmin(area_i(&q), area_j(&q)) > FLAT*(area_i(&q) + area_j(&q))))
+		return 0;
+	y = q.yk/(q.yk + q.yl);
+	return is_higher(key, t->from[h], t->from[g], (q.xk + y*(q.xl - q.xk))/q.length,
 	    t->from[intrinsic_last(h)], t->from[intrinsic_last(g)], y);
 }
 
@@ -178,7 +213,7 @@ intrinsic_improve(Subdivision *s, const double *key)
 {
 	Intrinsic t;
 	unsigned char *fixed;
-	int h, e = intrinsic_init(&t, &s->d);
+	int h, e = intrinsic_init_subdivision(&t, s);
 
 	if (e)
 		return e;

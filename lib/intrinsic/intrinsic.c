@@ -4,13 +4,9 @@
 #include <string.h>
 
 #include "../base/vec3.h"
+#include "../mesh/supports.h"
 #include "intrinsic.h"
 
-static const double THIN = 1e-13;       /* two sides together exceed the third by at least this
-                                         * times the shortest */
-enum { PASSES = 100 };                  /* rounds of mollification, at most */
-static const double EQUAL = 1e-6;       /* relative difference of two lengths that differ by rounding
-                                         * only */
 static const double STEEPEST = 1e10;    /* largest cotangent: beside a larger one, the others in its
                                          * row of the matrix would vanish in rounding */
 
@@ -25,13 +21,14 @@ allocate(Intrinsic *t)
 	t->side = malloc(ne*sizeof *t->side);
 	t->length = malloc(ne*sizeof *t->length);
 	t->area = malloc(t->nf*sizeof *t->area);
+	t->dot = malloc(sides*sizeof *t->dot);
 	t->mesh_side = malloc(ne*sizeof *t->mesh_side);
 	t->mesh_from = malloc(ne*sizeof *t->mesh_from);
 	t->along = malloc(ne*sizeof *t->along);
 	t->crossing = calloc(ne, sizeof *t->crossing);
 	t->crossings = calloc(ne, sizeof *t->crossings);
-	return t->from && t->twin && t->edge && t->side && t->length && t->area && t->mesh_side && t->mesh_from
-	    && t->along && t->crossing && t->crossings ? 0 : INTRINSIC_ENOMEM;
+	return t->from && t->twin && t->edge && t->side && t->length && t->area && t->dot && t->mesh_side
+	    && t->mesh_from && t->along && t->crossing && t->crossings ? 0 : INTRINSIC_ENOMEM;
 }
 
 /* Numbers the edges in increasing order of their lower-numbered sides. */
@@ -52,38 +49,78 @@ number_edges(Intrinsic *t)
 	}
 }
 
-/* The area of triangle f by its lengths. */
-static double
-area_by_lengths(const Intrinsic *t, int f)
+void
+intrinsic_set_by_lengths(Intrinsic *t, int f)
 {
-	return intrinsic_area(intrinsic_length(t, 3*f), intrinsic_length(t, 3*f + 1), intrinsic_length(t, 3*f + 2));
+	double l[3];
+	int k;
+
+	for (k = 0; k < 3; k++)
+		l[k] = intrinsic_length(t, 3*f + k);
+	t->area[f] = intrinsic_area(l[0], l[1], l[2]);
+	for (k = 0; k < 3; k++) {
+		double a = l[k], b = l[(k+2)%3], c = l[(k+1)%3];
+
+		t->dot[3*f+k] = (a*a + (b - c)*(b + c))/2;
+	}
 }
 
-/* The area of triangle f, with its sides in units of `longest`, as the cross product of its two shorter sides:
- * the rounding errors are then smallest. */
-static double
-area_by_places(const Intrinsic *t, const Mesh *m, int f, double longest)
-{
-	double l[3], x[3], y[3], n[3];
-	const double *corner[3];
-	int k, at;
+/* The disk that is measured.  If it is a subdivision, steps between vertices are computed by their
+ * supports. */
+typedef struct Measured {
+	const Disk        *d;
+	const Subdivision *s;           /* or NULL */
+	const Support     *support;     /* of s */
+} Measured;
 
-	for (k = 0; k < 3; k++) {
+/* The step in R^3 from vertex i to vertex j of one triangle. */
+static void
+step(const Measured *m, int i, int j, double x[3])
+{
+	if (m->s)
+		support_step(m->s, m->support, i, j, x);
+	else
+		sub3(&m->d->m.xyz[3*(size_t)j], &m->d->m.xyz[3*(size_t)i], x);
+}
+
+/* Sets the area and the dot products of triangle f, with its sides in units of `longest`, by its two shorter
+ * sides x and y: the rounding errors are then smallest. */
+static void
+set_by_steps(Intrinsic *t, const Measured *m, int f, double longest)
+{
+	double l[3], x[3], y[3], n[3], xy;
+	const int *corner = &t->from[3*f];
+	int k, at, next, last;
+
+	for (k = 0; k < 3; k++)
 		l[k] = intrinsic_length(t, 3*f + k);
-		corner[k] = &m->xyz[3*(size_t)t->from[3*f + k]];
-	}
 	at = l[0] >= l[1] && l[0] >= l[2] ? 2 : l[1] >= l[2] ? 0 : 1;
-	sub3(corner[(at+1)%3], corner[at], x);
-	sub3(corner[(at+2)%3], corner[at], y);
+	next = (at+1)%3, last = (at+2)%3;
+	step(m, corner[at], corner[next], x);
+	step(m, corner[at], corner[last], y);
 	for (k = 0; k < 3; k++)
 		x[k] /= longest, y[k] /= longest;
 	cross3(x, y, n);
-	return hypot(hypot(n[0], n[1]), n[2])/2;
+	t->area[f] = hypot(hypot(n[0], n[1]), n[2])/2;
+	t->dot[3*f+at] = xy = dot3(x, y);
+	t->dot[3*f+next] = dot3(x, x) - xy;
+	t->dot[3*f+last] = dot3(y, y) - xy;
 }
 
-/* Sets the lengths and areas, in the metric (3) of the mesh, in units of the longest edge. */
+/* Whether a side of triangle f was lengthened to INTRINSIC_FINEST. */
+static int
+is_finest(const Intrinsic *t, int f)
+{
+	int k;
+
+	for (k = 0; k < 3 && intrinsic_length(t, 3*f + k) > INTRINSIC_FINEST; k++)
+		;
+	return k < 3;
+}
+
+/* Sets the lengths, areas and dot products, in the metric (3) of the mesh, in units of the longest edge. */
 static void
-measure(Intrinsic *t, const Mesh *m)
+measure(Intrinsic *t, const Measured *m)
 {
 	double longest = 0;
 	int e, f;
@@ -92,19 +129,23 @@ measure(Intrinsic *t, const Mesh *m)
 		int h = t->side[e];
 		double x[3];
 
-		sub3(&m->xyz[3*(size_t)t->from[h]], &m->xyz[3*(size_t)t->from[intrinsic_next(h)]], x);
+		step(m, t->from[intrinsic_next(h)], t->from[h], x);
 		t->length[e] = hypot(hypot(x[0], x[1]), x[2]);
 		longest = fmax(longest, t->length[e]);
 	}
 	for (e = 0; e < t->ne; e++)
 		t->length[e] = fmax(t->length[e]/longest, INTRINSIC_FINEST);
 	for (f = 0; f < t->nf; f++)
-		t->area[f] = area_by_places(t, m, f, longest);
+		if (is_finest(t, f))
+			intrinsic_set_by_lengths(t, f);
+		else
+			set_by_steps(t, m, f, longest);
 }
 
-int
-intrinsic_init(Intrinsic *t, const Disk *d)
+static int
+init(Intrinsic *t, const Measured *m)
 {
+	const Disk *d = m->d;
 	size_t sides = 3*(size_t)d->m.nf;
 
 	*t = (Intrinsic){ .nv = d->m.nv, .nf = d->m.nf, .ne = (sides + d->nb)/2 };
@@ -115,107 +156,25 @@ intrinsic_init(Intrinsic *t, const Disk *d)
 	memcpy(t->from, d->m.tri, sides*sizeof *t->from);
 	memcpy(t->twin, d->twin, sides*sizeof *t->twin);
 	number_edges(t);
-	measure(t, &d->m);
+	measure(t, m);
 	return 0;
 }
 
-/* Sets *low to the length of the shortest edge of triangle f.  Returns the length by which this edge
- * must grow; at most 0 if it is long enough. */
-static double
-shortfall(const Intrinsic *t, int f, double *low)
+int
+intrinsic_init(Intrinsic *t, const Disk *d)
 {
-	double sum = 0, high = 0;
-	int k;
-
-	*low = HUGE_VAL;
-	for (k = 0; k < 3; k++) {
-		double l = intrinsic_length(t, 3*f + k);
-
-		sum += l;
-		high = fmax(high, l);
-		*low = fmin(*low, l);
-	}
-	return THIN**low - (sum - 2*high);
-}
-
-/* The triangles to look at and the edges to lengthen, each at most once. */
-typedef struct Mollifier {
-	int           *face, faces, *edge, edges;
-	unsigned char *on;      /* [nf] 1 if the triangle is in face */
-	double        *more;    /* [ne] the length to be added to each edge, 0 if it is not in edge */
-} Mollifier;
-
-static void
-look_at(Mollifier *m, int side)
-{
-	if (side < 0 || m->on[side/3])
-		return;
-	m->on[side/3] = 1;
-	m->face[m->faces++] = side/3;
-}
-
-/* Lists the shortest edge of each listed triangle in which it is too short; if several edges are
- * shortest up to rounding, all of them. */
-static void
-find_short_edges(const Intrinsic *t, Mollifier *m)
-{
-	int i, k;
-
-	for (m->edges = 0, i = 0; i < m->faces; i++) {
-		int f = m->face[i];
-		double low, need = shortfall(t, f, &low);
-
-		m->on[f] = 0;
-		for (k = 0; k < 3 && need > 0; k++) {
-			int e = t->edge[3*f+k];
-
-			if (t->length[e] > low*(1 + EQUAL))
-				continue;
-			if (m->more[e] == 0)
-				m->edge[m->edges++] = e;
-			m->more[e] = fmax(m->more[e], need);
-		}
-	}
-}
-
-/* Lengthens the listed edges, and lists the triangles at them. */
-static void
-lengthen(Intrinsic *t, Mollifier *m)
-{
-	int i;
-
-	for (m->faces = 0, i = 0; i < m->edges; i++) {
-		int e = m->edge[i];
-
-		t->length[e] += m->more[e]*(1 + THIN);
-		m->more[e] = 0;
-		look_at(m, t->side[e]);
-		look_at(m, t->twin[t->side[e]]);
-	}
-	for (i = 0; i < m->faces; i++)
-		t->area[m->face[i]] = area_by_lengths(t, m->face[i]);
+	return init(t, &(Measured){ d, NULL, NULL });
 }
 
 int
-intrinsic_mollify(Intrinsic *t)
+intrinsic_init_subdivision(Intrinsic *t, const Subdivision *s)
 {
-	Mollifier m = { malloc(t->nf*sizeof *m.face), 0, malloc(t->ne*sizeof *m.edge), 0, calloc(t->nf, 1),
-		calloc(t->ne, sizeof *m.more) };
-	int k, f, e = INTRINSIC_ENOMEM;
+	Support *support = supports(s);
+	int e = support ? init(t, &(Measured){ &s->d, s, support }) : INTRINSIC_ENOMEM;
 
-	if (m.face && m.edge && m.on && m.more) {
-		for (f = 0; f < t->nf; f++)
-			look_at(&m, 3*f);
-		for (k = 0; k < PASSES && m.faces > 0; k++) {
-			find_short_edges(t, &m);
-			lengthen(t, &m);
-		}
-		e = 0;
-	}
-	free(m.face);
-	free(m.edge);
-	free(m.on);
-	free(m.more);
+	if (!support)
+		*t = (Intrinsic){ 0 };
+	free(support);
 	return e;
 }
 
@@ -232,6 +191,7 @@ intrinsic_free(Intrinsic *t)
 	free(t->side);
 	free(t->length);
 	free(t->area);
+	free(t->dot);
 	free(t->mesh_side);
 	free(t->mesh_from);
 	free(t->along);
@@ -258,10 +218,7 @@ intrinsic_area(double a, double b, double c)
 void
 intrinsic_cotangent_parts(const Intrinsic *t, int h, double *above, double *below)
 {
-	double c = intrinsic_length(t, h);
-	double a = intrinsic_length(t, intrinsic_next(h)), b = intrinsic_length(t, intrinsic_last(h));
-
-	*above = a*a + (b - c)*(b + c);
+	*above = 2*t->dot[intrinsic_last(h)];
 	*below = 4*t->area[h/3];
 }
 
@@ -279,9 +236,8 @@ intrinsic_cotangent(const Intrinsic *t, int side)
 double
 intrinsic_foot(const Intrinsic *t, int side, double *height)
 {
-	double c = intrinsic_length(t, side);
-	double a = intrinsic_length(t, intrinsic_next(side)), b = intrinsic_length(t, intrinsic_last(side));
+	double length = intrinsic_length(t, side);
 
-	*height = 2*t->area[side/3]/c;
-	return (b*b + (c - a)*(c + a))/(2*c);
+	*height = 2*t->area[side/3]/length;
+	return t->dot[side]/length;
 }

@@ -1,5 +1,5 @@
 /* intrinsic.h - an intrinsic triangulation of a disk: its edges are straight lines within the
- * surface, known by their lengths and the areas of the triangles (doc/mathematics.md 3.6).
+ * surface, known by their lengths and the areas and dot products of the triangles (doc/mathematics.md 3.6).
  *
  * Its connectivity changes only by flips, so it has the vertices of the mesh, and as many edges and
  * triangles as the mesh.
@@ -27,7 +27,9 @@ typedef struct Intrinsic {
 	int    *side;           /* [ne] the side that gives an edge its direction */
 	double *length;         /* [ne] in units of the longest edge of the mesh */
 	double *area;           /* [nf] in the square of that unit; lengths alone tell little of the height of
-	                         * a flat triangle */
+	                         * a flat triangle, */
+	double *dot;            /* [3*nf] nor of the angles at a short side: dot product of side 3*t + k with the
+	                         * step from its start to the third corner */
 	int    *mesh_side;      /* [ne] one side of each mesh edge, numbered as in the disk */
 	int    *mesh_from;      /* [ne] the vertex at which that side starts */
 	int    *along;          /* [ne] the mesh edge that coincides with this edge, or -1 */
@@ -40,13 +42,12 @@ typedef struct Intrinsic {
  *
  * Returns 0 or INTRINSIC_ENOMEM; t then holds nothing to free. */
 int  intrinsic_init(Intrinsic *t, const Disk *d);
-void intrinsic_free(Intrinsic *t);
 
-/* Flat triangles have no usable angles.  So in each triangle that is flat up to rounding, lengthens the
- * shortest edge (all, if several are equally short) until any two sides together exceed the third by
- * 1e-13 of the shortest, in at most 100 rounds.  Call it before any flip.  Returns 0 or
- * INTRINSIC_ENOMEM. */
-int  intrinsic_mollify(Intrinsic *t);
+/* The same for the disk of a subdivision.  Lengths near vertices of the given disk have the relative
+ * errors of the barycentric coordinates, also where they are far shorter than the coordinates in
+ * R^3. */
+int  intrinsic_init_subdivision(Intrinsic *t, const Subdivision *s);
+void intrinsic_free(Intrinsic *t);
 
 static inline int
 intrinsic_next(int side)
@@ -83,6 +84,9 @@ void intrinsic_cotangent_parts(const Intrinsic *t, int side, double *above, doub
 
 /* The cotangent of the angle opposite to a side; at most 1e10 in modulus. */
 double intrinsic_cotangent(const Intrinsic *t, int side);
+
+/* Sets the area and the dot products of triangle f by its lengths. */
+void intrinsic_set_by_lengths(Intrinsic *t, int f);
 
 /* Computes the foot of the perpendicular from the corner opposite to a side.  Returns the signed
  * distance of the foot from the start of the side.  The foot lies outside the side if an angle at

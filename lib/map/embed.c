@@ -4,6 +4,7 @@
 
 #include "../intrinsic/edgepoints.h"
 #include "../intrinsic/flips.h"
+#include "../intrinsic/mollify.h"
 #include "corners.h"
 #include "embed.h"
 #include "harmonic.h"
@@ -98,7 +99,7 @@ triangulate(Embeddable *s, int feet, EdgePoints *points)
 	int e, at;
 
 	intrinsic_free(&s->t);
-	e = !side || intrinsic_init(&s->t, &s->mesh.d) ? EMBED_ENOMEM : 0;
+	e = !side || intrinsic_init_subdivision(&s->t, &s->mesh) ? EMBED_ENOMEM : 0;
 	if (!e)
 		e = intrinsic_mollify(&s->t) || intrinsic_delaunay(&s->t, s->key) ? EMBED_ENOMEM : 0;
 	if (!e)

@@ -18,11 +18,9 @@ static double
 term(const IntrinsicMap *m, int f)
 {
 	const Intrinsic *t = &m->s.t;
-	double l0 = intrinsic_length(t, 3*f), l1 = intrinsic_length(t, 3*f + 1);
-	double l2 = intrinsic_length(t, 3*f + 2), gaa = l0*l0, gbb = l2*l2;
+	double l0 = intrinsic_length(t, 3*f), l2 = intrinsic_length(t, 3*f + 2);
 
-	return worst_term(&t->from[3*f], m->u, m->v, gaa, (gaa + (l2 - l1)*(l2 + l1))/2, gbb,
-	    t->area[f]);
+	return worst_term(&t->from[3*f], m->u, m->v, l0*l0, t->dot[3*f], l2*l2, t->area[f]);
 }
 
 /* Marks the longest edge of each triangle that has one of the largest terms (worst.h); if several

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../intrinsic/flips.h"
+#include "../intrinsic/mollify.h"
 #include "../base/vec3.h"
 #include "cotangent.h"
 #include "intrinsicmatrix.h"

@@ -5,49 +5,7 @@
 #include <stdlib.h>
 
 #include "overlayface.h"
-
-/* The vertex, edge or face of the given mesh on which a vertex of the subdivision lies, as one, two
- * or three vertices; unused entries are -1. */
-typedef struct Support {
-	int v[3];
-} Support;
-
-static void
-add(Support *s, int v)
-{
-	int k;
-
-	for (k = 0; k < 3 && v >= 0 && s->v[k] != v; k++)
-		if (s->v[k] < 0) {
-			s->v[k] = v;
-			return;
-		}
-}
-
-static void
-add_all(Support *s, const Support *more)
-{
-	int k;
-
-	for (k = 0; k < 3; k++)
-		add(s, more->v[k]);
-}
-
-/* The support of every vertex of o, [o->d.m.nv], to be freed; NULL if memory runs out. */
-static Support *
-supports(const Subdivision *o)
-{
-	Support *s = malloc(o->d.m.nv*sizeof *s);
-	int i, k;
-
-	for (i = 0; s && i < o->d.m.nv; i++) {
-		s[i] = (Support){ { i < o->given ? i : -1, -1, -1 } };
-		for (k = 0; k < 3 && i >= o->given; k++)
-			if (o->w[i - o->given][k] != 0)
-				add_all(&s[i], &s[o->corner[i - o->given][k]]);
-	}
-	return s;
-}
+#include "../mesh/supports.h"
 
 static int
 has_corner(const Mesh *m, int f, int v)
@@ -86,10 +44,10 @@ overlay_faces(const Mesh *m, const Stars *s, const Subdivision *o, int *face)
 	if (!of)
 		return MESH_ENOMEM;
 	for (t = 0; t < o->d.m.nf; t++) {
-		Support a = { { -1, -1, -1 } };
+		Support a = { { -1, -1, -1 }, { 0, 0, 0 } };
 
 		for (k = 0; k < 3; k++)
-			add_all(&a, &of[o->d.m.tri[3*(size_t)t + k]]);
+			support_join(&a, &of[o->d.m.tri[3*(size_t)t + k]]);
 		face[t] = face_of(m, s, &a);
 	}
 	free(of);
