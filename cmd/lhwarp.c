@@ -11,7 +11,7 @@ static const char text[] =
 "      --normals      match the unit normals of the surfaces, and landmarks [yes]\n"
 "      --no-normals   match landmarks only\n"
 "      --max-mu=X     make the map less distorted until its largest |mu| is below X,\n"
-"                     0.01..0.99; |mu| is 0 where it is conformal [0.5]\n"
+"                     0.01..0.99; |mu| is 0 where it is conformal [0.6]\n"
 "  -s, --scale        first scale B about the origin to the area of A\n"
 "      --uv-a=MESH    the mesh of A, {uv formats} with (u,v), written by mesh2rect\n"
 "                     --uv: for landmarks by vertex number\n"
@@ -60,7 +60,7 @@ int
 main(int argc, char *argv[])
 {
 	const char *landmarks = NULL, *uv[2] = { NULL, NULL };
-	FindOptions o = { .normals = 1, .mumax = 0.5 };
+	FindOptions o = { .normals = 1, .mumax = 0.6 };
 	int opt, scale = 0;
 	Marks marks;
 	Side a, b;

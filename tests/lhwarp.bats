@@ -58,6 +58,13 @@ for g in (w, only, points):
     before, after = map(float, g.meta["warp-landmarks"].split()); assert before > .03 and after < .01, (before, after)
 assert float(stiff.meta["warped"].split()[1]) < .1 < float(only.meta["warped"].split()[1])' \
 		"$tmp/w" "$tmp/only" "$tmp/points" "$tmp/stiff"
+	# landmarks so far apart that the bound decides, by default 0.6
+	python 'T = one(sys.argv[1]).T; print(.4, T/2, .55, T/2); print(.6, T/2, .6, T/2)' "$tmp/a" >"$tmp/far"
+	lhwarp -q --no-normals --max-mu=0.9 -l "$tmp/far" "$tmp/a" "$tmp/b" -o "$tmp/free"
+	lhwarp -q --no-normals -l "$tmp/far" "$tmp/a" "$tmp/b" -o "$tmp/bound"
+	python '
+free, bound = (float(one(f).meta["warped"].split()[1]) for f in sys.argv[1:]); assert .5 < bound < .6 < free, (bound, free)' \
+		"$tmp/free" "$tmp/bound"
 	printf '100 120\n200,210\n' >"$tmp/numbers"
 	lhwarp -q --no-normals -l "$tmp/numbers" --uv-a="$tmp/a-uv.ply" --uv-b="$tmp/b-uv.ply" "$tmp/a" "$tmp/b" | lhinfo |
 		grep -q 'meta warp-landmarks'
