@@ -83,7 +83,7 @@ objtexture_init(ObjTexture *x, const Soup *s)
 	size_t i, n = 0;
 
 	*x = (ObjTexture){ 0 };
-	if (!uv || !s->chart || !s->chart->folded)
+	if (!uv || !s->chart || !s->chart->folded || !(s->T > 0))       /* without T the chart is not written */
 		return 0;
 	if (collect(x, s)) {
 		objtexture_free(x);
