@@ -22,8 +22,15 @@ static const double WORTH = 1e-3;
 static const double WORTH_E = 0.1;
 /* The first Gauss-Newton steps on a grid, which do not deflate the patch: deflation in the step from
  * the interpolated start can lead to another of several surfaces.  With residues, only the last
- * Gauss-Newton steps need many CG steps. */
+ * Gauss-Newton steps need many CG steps.  A step from the place is often the only one; cones that are held firm
+ * are deflated in it, or spikes of H would be left beside them. */
 enum { PLAIN = 1, PLAIN_EXACT = 4 };
+
+static int
+plain_steps(const Misfit *m)
+{
+	return m->residue ? PLAIN_EXACT : m->place && m->firm ? 0 : PLAIN;
+}
 
 void
 fitsolve_free(FitSolve *k)
@@ -86,7 +93,7 @@ prepare_patch(FitSolve *k, const double *phi)
 {
 	int e = 0;
 
-	k->deflate = k->patch.nodes && k->steps >= (k->m->residue ? PLAIN_EXACT : PLAIN);
+	k->deflate = k->patch.nodes && k->steps >= plain_steps(k->m);
 	if (k->deflate)
 		e = patch_set(&k->patch, phi);
 	if (e)

@@ -9,6 +9,8 @@ static const double RESOLVED = 0.3;     /* weight o from which the plate precond
 static const double SHARE = 0.01;       /* largest fraction of nodes chosen, without neighbours */
 static const double FIRM = 4;           /* factor of the first two lines up to which it does: less time than
                                          * with 2 and with 1.3 */
+static const double FIRM_PLACED = 1.5;  /* the same with a place: with 4 a ring of wrong H is left at the edge of S
+                                         * by the few CG steps from there */
 enum { BORDER = 4 };            /* nodes chosen are so many steps from a free border: its equations, which
                                  * p->row does not list, reach three rings, and S one node beyond them */
 
@@ -57,7 +59,7 @@ choose(Patch *p)
 	Chart g = p->m->g;
 	int rings = p->m->free ? BORDER : 1;
 	Range columns = stencil_apart(g, 0, rings), rows = stencil_apart(g, 1, rings);
-	double *o = malloc((size_t)g.nu*g.nv*sizeof *o), below;
+	double *o = malloc((size_t)g.nu*g.nv*sizeof *o), below, firm = p->m->place ? FIRM_PLACED : FIRM;
 	int i, j, a, b, q, sign = 1;
 
 	if (!o)
@@ -69,7 +71,7 @@ choose(Patch *p)
 	for (j = rows.from; j < rows.to; j++)
 		for (i = columns.from; i < columns.to; i++) {
 			q = j*g.nu + i;
-			if (!(p->m->o[q] < below || (p->m->firm && p->m->firm[q] > FIRM)))
+			if (!(p->m->o[q] < below || (p->m->firm && p->m->firm[q] > firm)))
 				continue;
 			for (b = j - 1; b <= j + 1; b++)
 				for (a = i - 1; a <= i + 1; a++) {
