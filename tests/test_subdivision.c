@@ -321,6 +321,45 @@ refined_is_linear(void **state)
 	disk_free(&d);
 }
 
+/* Points within a triangle such that one lies on the line from a corner to another, the third is equal to the
+ * first: two are added, and no triangle is flat, whatever rounding says of the second point. */
+static void
+points_on_a_line_with_a_corner(void **state)
+{
+	const double xyz[] = { 0,0,0, 1,0,0, 0,1,0, 1,1,0 };
+	const int tri[] = { 0,1,2, 1,3,2 };
+	uint64_t seed = 3;
+	int pass, k, f;
+	Disk d;
+
+	(void)state;
+	assert_int_equal(disks_of(4, xyz, 2, tri, &d), 0);
+	for (pass = 0; pass < 300; pass++) {
+		double a = .1 + .3*rng_unit(&seed), b = .1 + .3*rng_unit(&seed), s = .2 + .6*rng_unit(&seed);
+		SurfacePoint p[3] = { { 0, { 1 - a - b, a, b } }, { 0, { 0, 0, 0 } } };
+		Subdivision sub;
+
+		for (k = 0; k < 3; k++)
+			p[1].w[k] = s*p[0].w[k] + (k == pass%3 ? 1 - s : 0);
+		p[2] = p[0];
+		assert_int_equal(subdivision_init(&sub, &d), 0);
+		assert_int_equal(subdivision_add(&sub, 3, p), 2);
+		assert_true(disks_is_disk(&sub.d));
+		assert_int_equal(sub.d.m.nf, 6);
+		for (f = 0; f < sub.d.m.nf; f++) {
+			double x[3], y[3], n[3];
+			const int *c = &sub.d.m.tri[3*f];
+
+			sub3(&sub.d.m.xyz[3*c[1]], &sub.d.m.xyz[3*c[0]], x);
+			sub3(&sub.d.m.xyz[3*c[2]], &sub.d.m.xyz[3*c[0]], y);
+			cross3(x, y, n);
+			assert_true(n[2] > 1e-4);
+		}
+		subdivision_free(&sub);
+	}
+	disk_free(&d);
+}
+
 int
 main(void)
 {
@@ -328,6 +367,7 @@ main(void)
 		cmocka_unit_test(points_are_added),
 		cmocka_unit_test(no_triangle_is_turned),
 		cmocka_unit_test(nothing_to_add),
+		cmocka_unit_test(points_on_a_line_with_a_corner),
 		cmocka_unit_test(refined_is_linear),
 	};
 

@@ -9,6 +9,8 @@
 #include "subdivision.h"
 #include "topology.h"
 
+static const double SAME = 1e-9;        /* a point this share of a triangle away from a side lies on it */
+
 static void *
 duplicate(const void *p, size_t n, size_t size)
 {
@@ -134,17 +136,38 @@ coordinates(const Subdivision *s, const int c[3], int v, double w[3])
 		memcpy(w, s->w[v - s->given], sizeof s->w[0]);
 }
 
-/* The least of the three areas that the point w makes with the sides of t, a part of triangle c.
- * It is positive if the point is inside t. */
-static double
-depth(const Subdivision *s, const int c[3], int t, const double w[3])
+/* The areas that the point w makes with the sides of t, a part of triangle c: a[k] with side k.  They
+ * are positive if the point is inside t.  Returns the number of the smallest. */
+static int
+areas(const Subdivision *s, const int c[3], int t, const double w[3], double a[3])
 {
 	double x[3][3];
 	int k;
 
 	for (k = 0; k < 3; k++)
 		coordinates(s, c, s->d.m.tri[3*(size_t)t + k], x[k]);
-	return fmin(area(x[0], x[1], w), fmin(area(x[1], x[2], w), area(x[2], x[0], w)));
+	for (k = 0; k < 3; k++)
+		a[k] = area(x[k], x[(k+1)%3], w);
+	k = a[1] < a[0];
+	return a[2] < a[k] ? 2 : k;
+}
+
+/* Adds the point w of triangle c to its part t.  If the point lies on a side between two parts, up to rounding, both are
+ * split at that side; if it lies at a vertex, it is not added.  The parts are triangle f and the triangles from number
+ * `first` on. */
+static void
+add_to_part(Subdivision *s, const Splitting *p, const int c[3], int f, int first, int t, const double w[3])
+{
+	double a[3], small;
+	int least = areas(s, c, t, w, a), side = 3*t + least, twin = s->d.twin[side];
+
+	small = SAME*(a[0] + a[1] + a[2]);
+	if (a[least] <= small && (a[(least+1)%3] <= small || a[(least+2)%3] <= small))
+		return;
+	if (a[least] <= small && twin >= 0 && (twin/3 == f || twin/3 >= first))
+		splitting_edge(p, twin < side ? twin : side, add_vertex(s, c, w));
+	else if (a[least] > 0)
+		splitting_face(p, t, add_vertex(s, c, w));
 }
 
 /* Adds n points within one triangle, each to the part in which it lies deepest.  The parts are the
@@ -156,17 +179,18 @@ add_within(Subdivision *s, const Splitting *p, int n, const SurfacePoint *point)
 
 	memcpy(c, &s->d.m.tri[3*(size_t)f], sizeof c);
 	for (i = 0; i < n; i++) {
-		double deepest = depth(s, c, f, point[i].w), here;
+		const double *w = point[i].w;
+		double a[3], deepest = a[areas(s, c, f, w, a)];
 
 		for (in = f, t = first; t < s->d.m.nf; t++) {
-			here = depth(s, c, t, point[i].w);
-			if (here > deepest) {
-				deepest = here;
+			int least = areas(s, c, t, w, a);
+
+			if (a[least] > deepest) {
+				deepest = a[least];
 				in = t;
 			}
 		}
-		if (deepest > 0)
-			splitting_face(p, in, add_vertex(s, c, point[i].w));
+		add_to_part(s, p, c, f, first, in, w);
 	}
 }
 

@@ -32,7 +32,7 @@ SurfacePoint subdivision_on_side(int side, double place);
 /* Adds the points to s as vertices: first those within triangles, then those on edges.  A point
  * within a triangle splits it into three; a point on an edge splits each triangle at that edge into
  * two.  The new triangles may be arbitrarily thin.  Points at a vertex are not added.  Of points on
- * an edge that are equal up to 1e-9 of the edge, one is added.
+ * an edge that are equal up to 1e-9 of the edge, or within a triangle up to 1e-9 of its parts, one is added.
  *
  * n, point  in   points of s->d
  *
