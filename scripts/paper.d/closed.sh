@@ -45,16 +45,20 @@ closed_figure() {
 	shown closed 'Closed surfaces: the grid, its scales of 1, 2 and 4 % of sqrt(area), and spherical harmonics of x, y, z at the bending energy of the last'
 }
 
-# closed_morph A B: five frames from the surface A of `closed` to the mesh B on its nodes, and the linear blend of these nodes.
+# closed_morph A B: five frames from the surface A of `closed` to the mesh B on its nodes, with residuals and without, and the linear
+# blend of these nodes.
 closed_morph() {
 	run mesh2rect -q --like="$w/$1.lhg" "$2" -o "$w/like.lhg"
 	run lhinfo "$w/like.lhg" -o "$w/like.info"
 	run grid2lh -q --residual --no-place "$w/$1.lhg" -o "$w/like-a-lh.lhg"
 	run grid2lh -q --residual --no-place "$w/like.lhg" -o "$w/like-b-lh.lhg"
-	run lhinterp -q -n 5 "$w/like-a-lh.lhg" "$w/like-b-lh.lhg" -o "$w/like-lh.lhg"
-	timed like-morph lh2grid -q "$w/like-lh.lhg" -o "$w/like-morph.lhg"
+	run lhinterp -q -n 5 "$w/like-a-lh.lhg" "$w/like-b-lh.lhg" -o "$w/like-morph-lh.lhg"
+	timed like-morph lh2grid -q "$w/like-morph-lh.lhg" -o "$w/like-morph.lhg"
+	run grid2lh -q --no-place "$w/like.lhg" -o "$w/like-lh.lhg"
+	run lhinterp -q -n 5 "$w/$1-lh.lhg" "$w/like-lh.lhg" -o "$w/like-plain-lh.lhg"
+	back like-plain-lh like-plain
 	python paper.d/linear.py "$w/like-morph.lhg" "$w/like-linear.lhg"
-	for series in like-morph like-linear; do
+	for series in like-morph like-plain like-linear; do
 		diffs "$1" "$series" --no-hausdorff
 	done
 	run lhdiff --no-hausdorff --no-self-intersections "$w/like.lhg" "$w/like-morph.lhg" -o "$w/like-end.diffs"
@@ -72,14 +76,14 @@ closed_frames() {
 		done
 	done
 	figure closedmorph $side 5 "$@"
-	shown closedmorph 'One cortical hemisphere (fsaverage5, pial) becomes another (conte69): above lambda and H, below the linear blend of the nodes'
+	shown closedmorph 'One cortical hemisphere (fsaverage5, pial) becomes another (conte69): above lambda, H and residuals, below the linear blend of the nodes'
 }
 
 # closed_rows: the area and the crossing faces of the frames.
 closed_rows() {
 	say '| | t = 0 | 1/4 | 1/2 | 3/4 | 1 |' '|---|---|---|---|---|---|'
-	for series in like-morph like-linear; do
-		case $series in *morph) name='lambda, H' ;; *) name='linear blend' ;; esac
+	for series in like-morph like-plain like-linear; do
+		case $series in *morph) name='lambda, H, residuals' ;; *plain) name='lambda, H' ;; *) name='linear blend' ;; esac
 		say "| area, $name | $(column $series area_b .01 | awk '{ for (i = 1; i <= NF; i++) printf "%.1f%s", $i, i < NF ? " | " : "" }') |" \
 			"| crossing faces, $name | $(column $series self_intersections_b | xargs | sed 's/ / | /g') |"
 	done
@@ -104,7 +108,7 @@ if [ $real = yes ]; then
 		'Areas in cm^2. Folds that do not correspond fade in both blends, more in that of the nodes.' ''
 	closed_morph pial "$closed/conte69_32k_lh.gii"
 	closed_frames --from=-1,0,0 --up=0,0,1
-	say "Equal nodes are $(short "$(sed -n 's/^  meta like //p' "$w/like.info")" 100) % of the size apart after motion and scaling. Residuals are kept: the" \
+	say "Equal nodes are $(short "$(sed -n 's/^  meta like //p' "$w/like.info")" 100) % of the size apart after motion and scaling. With residuals the" \
 		"frame at t = 1 is B to $(short "$end") % of sqrt(area). The five frames took $(cat "$w/like-morph.seconds") s." ''
 	closed_rows
 	awk -v e="$end" 'BEGIN { exit !(e < 1e-6) }' && wrong= || wrong="to $end %"
