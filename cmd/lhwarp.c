@@ -10,8 +10,8 @@ static const char text[] =
 "  -l, --landmarks=FILE  corresponding points (below)\n"
 "      --normals      match the unit normals of the surfaces, and landmarks [yes]\n"
 "      --no-normals   match landmarks only\n"
-"      --max-mu=X     make the map less distorted until its largest |mu| is below X,\n"
-"                     0.01..0.99; |mu| is 0 where it is conformal [0.6]\n"
+"      --max-mu=X     keep the largest |mu| of the map below X, 0.01..0.99; it is 0 where\n"
+"                     the map is conformal [0.6]\n"
 "  -s, --scale        first scale B about the origin to the area of A\n"
 "      --uv-a=MESH    the mesh of A, {uv formats} with (u,v), written by mesh2rect\n"
 "                     --uv: for landmarks by vertex number\n"
@@ -21,7 +21,10 @@ static const char text[] =
 CMD_USAGE
 "B's rectangle is tried in four ways, each turned by a quarter more.  One is taken\n"
 "if its mismatch of the normals is at most 0.8 of the next best, or if landmarks\n"
-"decide.  Otherwise the surfaces are too unlike for an automatic map: exit 1.\n"
+"decide.  If two ways half a turn apart fit alike, as those of an oval face do, but\n"
+"better than the others, that is taken which turns B less in space, by 45 degrees\n"
+"or more.  Otherwise the surfaces are too unlike for an automatic map: exit 1.  Then\n"
+"give landmarks, or morph without a map: lhinterp --scale --align --cap.\n"
 "FILE has one landmark on each line: two vertex numbers, of --uv-a and --uv-b,\n"
 "counted from 0; or u v on A and u v on B; or a point x y z on A and one on B.\n"
 "# begins a comment.  Metadata: `warped', the mean and the largest |mu|;\n"
@@ -48,8 +51,8 @@ static const struct option longopt[] = {
 static void
 report(const Found *f)
 {
-	detail("|mu| mean %.3f, largest %.3f; weight of the distortion %.3g", f->after.mu_mean, f->after.mu_max,
-	    f->after.alpha);
+	detail("|mu| mean %.3f, largest %.3f; weight of the distortion %.3g, beyond the bound %.3g", f->after.mu_mean,
+	    f->after.mu_max, f->after.alpha, f->after.stiff);
 	detail("normals differ by %.4g without the map, %.4g with it (mean square)", f->before.apart, f->after.apart);
 	if (f->before.marks > 0)
 		detail("landmarks %.2f %% of the width apart without the map, %.2f %% with it", 100*f->before.marks,
@@ -88,8 +91,7 @@ main(int argc, char *argv[])
 	side_open(&b, argv[optind+1], uv[1]);
 	if (landmarks)
 		marks_read(landmarks, &a, &b, &marks);
-	if (scale)
-		side_scale(&a, &b);
+	side_match(&a, &b, scale);
 
 	find_map(&a, &b, landmarks ? &marks : NULL, &o, &f);
 	report(&f);

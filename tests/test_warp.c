@@ -87,6 +87,9 @@ gradient(void **state)
 	e.a = s[0].normal;
 	e.b = s[1].normal;
 	e.marks = (WarpMarks){ 3, P, Q };
+	e.distortion.stretch = 1.3;
+	e.distortion.limit = warpdistortion_of(0.15);   /* exceeded in part of the cells */
+	e.distortion.stiff = 5;
 	for (k = 0; k < 2*M*M; k++)
 		x[k] = 0.01*sin(7*k + 1)/(1 + k%M + k/M%M);
 	assert_true(isfinite(warpenergy(&e, x, g)));

@@ -7,6 +7,7 @@
 
 static const double CLEARLY = 0.8;      /* best and second best way: the mismatch of the normals is at most
                                          * this share */
+static const double LESS = M_PI/4;      /* of two ways half a turn apart, one turns B in space by so much less */
 enum { TRIAL = 3 };                     /* levels to compare the ways */
 
 /* Both surfaces on the grid of the map, B turned, and the landmarks there. */
@@ -66,9 +67,9 @@ lift(Laid *l)
 }
 
 /* How badly B, so turned, fits: the distance of the landmarks as they are, or the mismatch of the normals
- * after a trial. */
+ * after a trial.  *angle: of the rotation in space of B onto A. */
 static double
-misfit(const Side *a, const Side *b, int turns, const Marks *marks, const FindOptions *o)
+misfit(const Side *a, const Side *b, int turns, const Marks *marks, const FindOptions *o, double *angle)
 {
 	Laid l;
 	Warp w;
@@ -77,29 +78,52 @@ misfit(const Side *a, const Side *b, int turns, const Marks *marks, const FindOp
 	lay(a, b, turns, marks, o, &l);
 	failed(marks ? warp_identity(&l.task, &w, &fit) : warp_find(&l.task, TRIAL, &w, &fit), b, o);
 	lift(&l);
+	*angle = rigid_angle(&fit.move);
 	return marks ? fit.marks : fit.apart;
+}
+
+/* The way to take by the misfits and angles of all, or -1 if none is clearly better than the others.  A face
+ * fits nearly as well upside down, as any oval does; but in most files heads are upright.  So if two ways half a turn
+ * apart fit alike, and clearly better than the others, that is taken which turns B clearly less in space. */
+static int
+clear_way(const double *m, const double *angle, int best)
+{
+	int half = (best + 2) % WARPTURN_WAYS;
+	double others = fmin(m[(best + 1) % WARPTURN_WAYS], m[(best + 3) % WARPTURN_WAYS]);
+
+	if (m[best] <= CLEARLY*fmin(others, m[half]))
+		return best;
+	if (!(m[half] <= CLEARLY*others) || fabs(angle[best] - angle[half]) < LESS)
+		return -1;
+	return angle[best] < angle[half] ? best : half;
 }
 
 /* The best way to lay B's chart onto A's, in quarter turns. */
 static int
 best_way(const Side *a, const Side *b, const Marks *marks, const FindOptions *o)
 {
-	double m[WARPTURN_WAYS], second = INFINITY;
-	int k, best = 0;
+	double m[WARPTURN_WAYS], angle[WARPTURN_WAYS];
+	int k, best = 0, way;
 
 	for (k = 0; k < WARPTURN_WAYS; k++) {
-		m[k] = misfit(a, b, k, marks, o);
+		m[k] = misfit(a, b, k, marks, o, &angle[k]);
 		best = m[k] < m[best] ? k : best;
 	}
-	for (k = 0; k < WARPTURN_WAYS; k++)
-		second = k != best && m[k] < second ? m[k] : second;
 	detail("%s turned by 0, 1, 2, 3 quarters: %s %.3f, %.3f, %.3f, %.3f", b->in.name,
 	    marks ? "landmarks apart" : "normals differ by", m[0], m[1], m[2], m[3]);
-	if (marks || m[best] <= CLEARLY*second)
+	if (marks)
 		return best;
+	if ((way = clear_way(m, angle, best)) >= 0) {
+		if (m[way] > CLEARLY*m[(way + 2) % WARPTURN_WAYS])
+			note("%s fits %s nearly as well after half a turn (%.2f, %.2f): the way that turns it less in space is "
+			    "taken, by %.0f degrees, not %.0f", b->in.name, a->in.name, m[way], m[(way + 2) % WARPTURN_WAYS],
+			    angle[way]*180/M_PI, angle[(way + 2) % WARPTURN_WAYS]*180/M_PI);
+		return way;
+	}
 	if (!o->force)
 		die("%s fits %s in no way clearly better than in another (quarter turns 0 to 3: %.2f %.2f %.2f %.2f): "
-		    "--landmarks, or --force", b->in.name, a->in.name, m[0], m[1], m[2], m[3]);
+		    "--landmarks; or a morph without a warp, lhinterp --scale --align --cap; or --force", b->in.name, a->in.name,
+		    m[0], m[1], m[2], m[3]);
 	note("%s fits %s in no way clearly better than in another (quarter turns 0 to 3: %.2f %.2f %.2f %.2f)", b->in.name,
 	    a->in.name, m[0], m[1], m[2], m[3]);
 	return best;

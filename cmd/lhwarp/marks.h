@@ -10,7 +10,7 @@ typedef struct Marks {
 } Marks;
 
 /* Reads landmarks: on each line two vertex numbers, two pairs u v, or two points x y z; or dies.  To be
- * called before side_scale. */
+ * called before side_match. */
 void marks_read(const char *path, const Side *a, const Side *b, Marks *m);
 void marks_free(Marks *m);
 

@@ -11,6 +11,8 @@
 #include "../shared/range.h"
 #include "pair.h"
 
+static const double APART = 2;          /* ratio of sizes above which a note is printed */
+
 /* The signed area of the triangles of d in (u,v): negative if mesh2rect reversed its normal. */
 static double
 plane_area(const Disk *d, const double *uv)
@@ -90,12 +92,19 @@ side_free(Side *s)
 }
 
 void
-side_scale(const Side *a, Side *b)
+side_match(const Side *a, Side *b, int scaled)
 {
 	double s = sqrt(a->area/b->area), by;
 	size_t p;
 	int k;
 
+	if (!scaled) {
+		if (!(s <= APART && s >= 1/APART))
+			note("%s is %.3g times as large as %s: surfaces between them are poor (--scale brings %s to the area of %s)",
+			    s > 1 ? a->in.name : b->in.name, s > 1 ? s : 1/s, s > 1 ? b->in.name : a->in.name, b->in.name,
+			    a->in.name);
+		return;
+	}
 	for (k = 0; k < b->g.nchan; k++) {
 		const LhgChannel *c = &b->g.chan[k];
 

@@ -24,7 +24,8 @@ typedef struct Side {
 void side_open(Side *s, const char *path, const char *mesh);
 void side_free(Side *s);
 
-/* Scales b about the origin to the area of a: positions, channels in length and in 1/length. */
-void side_scale(const Side *a, Side *b);
+/* Scales b about the origin to the area of a: positions, channels in length and in 1/length.  Or, if it is not to
+ * be scaled, says so where the sizes differ much. */
+void side_match(const Side *a, Side *b, int scaled);
 
 #endif

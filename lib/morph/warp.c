@@ -18,8 +18,10 @@ static const Level LEVEL[WARP_LEVELS] = {
 	{ 8/128.0, 6, 65 }, { 5/128.0, 10, 65 }, { 3/128.0, 16, 65 }, { 1.8/128, WARP_MODES, WARP_NODES }
 };
 
-static const double RAISE = 1.5;        /* alpha by this factor while |mu| is too large */
-enum { RAISES = 16 };
+/* The distortion grows faster beyond this share of the largest |mu|; how much faster, and by which factor more
+ * while |mu| is still too large. */
+static const double MARGIN = 0.95, STIFF = 3, RAISE = 4;
+enum { RAISES = 12 };
 
 /* The weights of distortion and of landmarks: normals only, with landmarks, landmarks only. */
 static const double ALPHA[2] = { 1, 0.3 }, BETA[2] = { 130, 50 };
@@ -83,7 +85,7 @@ turn(double R[3][3], const double *x, double *y)
 	memcpy(y, z, sizeof z);
 }
 
-/* Sets all of fit but alpha. */
+/* Sets all of fit but the weights. */
 static int
 judge(const WarpTask *t, const Warp *w, WarpFit *fit)
 {
@@ -169,9 +171,9 @@ minimise(WarpEnergy *e, Warp *w)
 	return bad;
 }
 
-/* Improves w at one level, with this weight of the distortion, B turned by R. */
+/* Improves w at one level, with the weights of fit, B turned by R. */
 static int
-level(const WarpTask *t, const Level *l, double alpha, double R[3][3], Warp *w)
+level(const WarpTask *t, const Level *l, const WarpFit *fit, double R[3][3], Warp *w)
 {
 	int nu = t->a->nu < l->nodes ? t->a->nu : l->nodes, nv = t->a->nv < l->nodes ? t->a->nv : l->nodes, bad;
 	double *a = NULL;
@@ -179,7 +181,10 @@ level(const WarpTask *t, const Level *l, double alpha, double R[3][3], Warp *w)
 
 	if (warpenergy_init(&e, nu, nv, t->T, l->modes))
 		return WARP_ENOMEM;
-	e.alpha = alpha;
+	e.alpha = fit->alpha;
+	e.distortion.stretch = t->stretch;
+	e.distortion.limit = warpdistortion_of(MARGIN*t->mumax);
+	e.distortion.stiff = fit->stiff;
 	e.beta = BETA[t->normals];
 	e.marks = t->marks;
 	bad = 0;
@@ -202,6 +207,7 @@ warp_identity(const WarpTask *t, Warp *w, WarpFit *fit)
 	memset(w, 0, sizeof *w);
 	w->T = t->T;
 	fit->alpha = ALPHA[t->normals];
+	fit->stiff = STIFF;
 	return judge(t, w, fit);
 }
 
@@ -211,15 +217,15 @@ warp_find(const WarpTask *t, int levels, Warp *w, WarpFit *fit)
 	int k, raise, bad = warp_identity(t, w, fit);
 
 	for (k = 0; !bad && k < levels; k++) {
-		bad = level(t, &LEVEL[k], fit->alpha, fit->move.R, w);
+		bad = level(t, &LEVEL[k], fit, fit->move.R, w);
 		if (!bad)
 			bad = judge(t, w, fit);
 	}
 	for (raise = 0; !bad && levels == WARP_LEVELS && !(fit->mu_max < t->mumax); raise++) {
 		if (raise == RAISES)
 			return WARP_EMU;
-		fit->alpha *= RAISE;
-		bad = level(t, &LEVEL[levels-1], fit->alpha, fit->move.R, w);
+		fit->stiff *= RAISE;
+		bad = level(t, &LEVEL[levels-1], fit, fit->move.R, w);
 		if (!bad)
 			bad = judge(t, w, fit);
 	}

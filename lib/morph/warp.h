@@ -45,12 +45,12 @@ typedef struct WarpTask {
 	double    T, stretch;           /* height of A's chart; T_B/T */
 	int       normals;              /* 0: by landmarks only */
 	WarpMarks marks;
-	double    mumax;                /* alpha is raised until the largest |mu| is below */
+	double    mumax;                /* the largest |mu| stays below */
 } WarpTask;
 
 typedef struct WarpFit {
 	Rigid  move;            /* of B onto A */
-	double alpha, mu_mean, mu_max;
+	double alpha, stiff, mu_mean, mu_max;
 	double apart;           /* mean over A's area of |n_A - n_B|^2, B moved by move: 0 .. 4 */
 	double marks;           /* mean distance of f(p) and q; 0 without landmarks */
 } WarpFit;
@@ -65,8 +65,8 @@ warp_nodes(int n)
 /* The map f = id, and how it fits. */
 int warp_identity(const WarpTask *t, Warp *w, WarpFit *fit);
 
-/* Finds the map in the first `levels` levels, 1 .. WARP_LEVELS.  After all of them alpha is raised
- * until |mu| is below the limit.  Returns 0, or a code above. */
+/* Finds the map in the first `levels` levels, 1 .. WARP_LEVELS.  After all of them the last is
+ * repeated, stiffer beyond the limit, until |mu| is below.  Returns 0, or a code above. */
 int warp_find(const WarpTask *t, int levels, Warp *w, WarpFit *fit);
 
 /* Sets f[2][nv][nu] to the image of the nodes of a grid on A's chart.  v is multiplied by stretch.

@@ -19,7 +19,7 @@ enum { ARRAYS = 12 };           /* of nu numbers in a Row */
 int
 warpdistortion_init(WarpDistortion *w, int nu, int nv, double T)
 {
-	*w = (WarpDistortion){ nu, nv, T, malloc(((size_t)ARRAYS*nu + 1)*nv*sizeof *w->work) };
+	*w = (WarpDistortion){ nu, nv, T, malloc(((size_t)ARRAYS*nu + 1)*nv*sizeof *w->work), 1, 0, 0 };
 	return w->work ? 0 : WARPDISTORTION_ENOMEM;
 }
 
@@ -28,6 +28,12 @@ warpdistortion_free(WarpDistortion *w)
 {
 	free(w->work);
 	w->work = NULL;
+}
+
+double
+warpdistortion_of(double mu)
+{
+	return 2*mu*mu/(1 - mu*mu);
 }
 
 static Row
@@ -52,25 +58,28 @@ differences(const WarpDistortion *w, const double *f, int j)
 }
 
 /* The sum over the corners of one kind in a row of cells; derivatives times a are added to gu, gv.
- * u and v: the differences at the first corner; m corners.  *least: the least J. */
+ * u and v: the differences at the first corner.  *least: the least J. */
 static double
-corners(int m, int nu, double a, const double *restrict u, const double *restrict v,
+corners(const WarpDistortion *w, double a, const double *restrict u, const double *restrict v,
 	double *restrict gu, double *restrict gv, double *least)
 {
 	double sum = 0, low = *least;
-	int i;
+	int nu = w->nu, m = nu - 1, i;
 
 	for (i = 0; i < m; i++) {
 		double u0 = u[i], u1 = u[nu+i], v0 = v[i], v1 = v[nu+i], J = u0*v1 - u1*v0;
-		double S = u0*u0 + u1*u1 + v0*v0 + v1*v1, per = 1/J;
-		double dS = a*per, dJ = a*(SIZE - (S/2 + SIZE)*per*per);
+		double S0 = u0*u0 + v0*v0, S1 = u1*u1 + v1*v1, per = 1/J;
+		double d = (S0/w->stretch + S1*w->stretch)/2*per;
+		double over = d - 1 > w->limit ? d - 1 - w->limit : 0, b = 2*w->stiff*over;
+		double d0 = a*per*(1 + b/w->stretch), d1 = a*per*(1 + b*w->stretch);
+		double dJ = a*(SIZE - ((S0 + S1)/2 + SIZE)*per*per - b*d*per);
 
 		low = J < low ? J : low;
-		sum += S/2*per - 1 + SIZE*(J + per - 2);
-		gu[i] += dS*u0 + dJ*v1;
-		gu[nu+i] += dS*u1 - dJ*v0;
-		gv[i] += dS*v0 - dJ*u1;
-		gv[nu+i] += dS*v1 + dJ*u0;
+		sum += (S0 + S1)/2*per - 1 + SIZE*(J + per - 2) + w->stiff*over*over;
+		gu[i] += d0*u0 + dJ*v1;
+		gu[nu+i] += d1*u1 - dJ*v0;
+		gv[i] += d0*v0 - dJ*u1;
+		gv[nu+i] += d1*v1 + dJ*u0;
 	}
 	*least = low;
 	return sum;
@@ -116,7 +125,7 @@ warpdistortion(const WarpDistortion *w, const double *f, double a, double *g)
 			sum[j] = 0;
 			for (s = 0; s < 2; s++)
 				for (b = 0; b < 2; b++)
-					sum[j] += corners(nu - 1, nu, a/corner, r.u[s], r.v + b, r.gu[s], r.gv + b, &least);
+					sum[j] += corners(w, a/corner, r.u[s], r.v + b, r.gu[s], r.gv + b, &least);
 			if (!(least > LEAST))
 				sum[j] = INFINITY;
 			else
