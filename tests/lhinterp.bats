@@ -80,8 +80,8 @@ for c in a.channels: assert abs(a[c] - h[c]).max() < 1e-9*abs(a[c]).max(), c' "$
 @test "the two places of a landmark pair are joined at every t; lambda and H stay" {
 	# each place is at a node: on A, on B, and, interpolated, at t = 0.25 and 0.5
 	printf '%s\n' '0.33333333333333333 0.66666666666666667' '1.2 1.4' '2.25 2.5833333333333333' '3.2 3' >"$tmp/nodes"
-	lhinterp -q -t 0.25,0.5 --landmarks="$tmp/nodes" "$tmp/a" "$tmp/b" -o "$tmp/marked"
-	lhinterp -q -t 0.25,0.5 "$tmp/a" "$tmp/b" -o "$tmp/plain"
+	lhinterp -q -t 0.25,0.5 --rule=linear --landmarks="$tmp/nodes" "$tmp/a" "$tmp/b" -o "$tmp/marked"
+	lhinterp -q -t 0.25,0.5 --rule=linear "$tmp/a" "$tmp/b" -o "$tmp/plain"
 	python 'a, b = (read(f)[0] for f in sys.argv[1:3])
 nu, nv = a.nu, a.nv
 def at(g, r):
@@ -245,14 +245,25 @@ for g in read(sys.argv[3]):
 	done
 }
 
-@test "by default log lambda and lambda^2 H are linear; with residual channels log g and lambda H" {
+@test "by default log lambda and lambda^2 H are linear, with residual channels log g and lambda H, up to the length of the border" {
 	lhinterp -q -t 0.3 "$tmp/a" "$tmp/b" -o "$tmp/metric"
 	lhinterp -q -t 0.3 "$tmp/a.all" "$tmp/b.all" -o "$tmp/metric.all"
 	python 'a, b, g, aa, ba, ga = (read(f)[0] for f in sys.argv[1:])
 near = lambda x, y: abs(x - y).max() < 1e-11*abs(y).max()
 mean = lambda f: 0.7*f(a) + 0.3*f(b)
-assert near(np.log(g["lambda"]), mean(lambda x: np.log(x["lambda"])))
-assert near(g["lambda"]**2*g["H"], mean(lambda x: x["lambda"]**2*x["H"]))
+def lengths(x):  # of the two edges of the border at each of its nodes
+    d = np.linalg.norm(np.diff(ring(x), axis=0, append=ring(x)[:1]), axis=1)
+    return np.log(d + np.roll(d, 1))
+def follows_border(e):  # harmonic inside
+    h, k = 1/(g.nu - 1), g.T/(g.nv - 1)
+    inner = np.diff(e, 2, axis=1)[1:-1]/h**2 + np.diff(e, 2, axis=0)[:, 1:-1]/k**2
+    want = lengths(g) - mean(lengths)
+    edge = np.concatenate([e[0], e[1:, -1], e[-1, -2::-1], e[-2:0:-1, 0]])
+    assert abs(want).max() > 1e-3 and abs(edge - want).max() < 1e-12
+    assert abs(inner).max() < 1e-9*abs(want).max()/h**2
+first = mean(lambda x: np.log(x["lambda"]))
+follows_border(np.log(g["lambda"]) - first)
+assert near(np.exp(first)*g["lambda"]*g["H"], mean(lambda x: x["lambda"]**2*x["H"]))
 for c in set(a.channels) - {"lambda", "H"}: assert near(g[c], mean(lambda x: x[c])), c
 a, b = aa, ba
 def log(x):  # of the matrices of the metric
@@ -261,7 +272,9 @@ def log(x):  # of the matrices of the metric
     w, q = np.linalg.eigh(m)
     return q @ (np.log(w)[..., None]*np.swapaxes(q, -1, -2))
 assert abs(ba["nu2"]).max() > 1e-3
-assert near(log(ga), mean(log))
+e = log(ga)[..., 0, 0] - mean(log)[..., 0, 0]
+assert near(log(ga), mean(log) + e[..., None, None]*np.eye(2))
+follows_border(e/2)
 assert near(ga["lambda"]*ga["H"], mean(lambda x: x["lambda"]*x["H"]))' "$tmp/a" "$tmp/b" "$tmp/metric" "$tmp/a.all" "$tmp/b.all" "$tmp/metric.all"
 	lhinterp -q -t 1,0 --cap "$tmp/a" "$tmp/b" -o "$tmp/ends"
 	equal "$tmp/a" "$tmp/ends"
@@ -283,7 +296,9 @@ assert near(ga["lambda"]*ga["H"], mean(lambda x: x["lambda"]*x["H"]))' "$tmp/a" 
 assert g.meta["weights"] == "0.125,0.25,0.625" and "t" not in g.meta and g.frames == 1
 for n in a.channels: assert abs(g[n] - (a[n] + 2*b[n] + 5*c[n])/8).max() < 1e-14*abs(g[n]).max(), n
 s = lambda x: np.log(x["lambda"]) + np.log(1 - x["nu1"]**2 - x["nu2"]**2)/4
-assert abs(s(m) - (s(a) + 2*s(b) + 5*s(c))/8).max() < 1e-12
+e = s(m) - (s(a) + 2*s(b) + 5*s(c))/8
+lap = np.diff(e, 2, axis=1)[1:-1]*(g.nu - 1)**2 + np.diff(e, 2, axis=0)[:, 1:-1]*((g.nv - 1)/g.T)**2
+assert abs(lap).max() < 1e-9
 assert abs(m["lambda"] - g["lambda"]).max() > 1e-4*abs(m["lambda"]).max()' "$tmp/a.all" "$tmp/b.all" "$tmp/c.all" "$tmp/mean" "$tmp/metric"
 	lhinterp -q --no-history -w 1 "$tmp/a" "$tmp/b" "$tmp/a" -o "$tmp/one"
 	lhinterp -q --no-history -w 3,3,3 "$tmp/a" "$tmp/b" "$tmp/a" -o "$tmp/three"
@@ -297,7 +312,9 @@ assert abs(m["lambda"] - g["lambda"]).max() > 1e-4*abs(m["lambda"]).max()' "$tmp
 	lhinterp -q -w 1.5,-0.5 "$tmp/a.all" "$tmp/b.all" -o "$tmp/beyond"
 	lhinterp -q -w 2,1 "$tmp/beyond" "$tmp/b.all" -o "$tmp/back"
 	python 'a, g = (read(f)[0] for f in sys.argv[1:])
-for c in a.channels: assert abs(a[c] - g[c]).max() < 1e-11*abs(a[c]).max(), c' "$tmp/a.all" "$tmp/back"
+for c in a.channels:  # what follows the border does so on charts of different heights
+    bound = 1e-3 if c in ("lambda", "H", "tau1", "tau2") else 1e-11
+    assert abs(a[c] - g[c]).max() < bound*abs(a[c]).max(), (c, abs(a[c] - g[c]).max()/abs(a[c]).max())' "$tmp/a.all" "$tmp/back"
 	# each grid is checked, scaled and moved
 	mkmesh -n 200 cap | mesh2rect -q -n 8 | grid2lh -o "$tmp/small"
 	try 1 'small has 9 x 9'                         /dev/null lhinterp -q -w 1 "$tmp/a" "$tmp/b" "$tmp/small"

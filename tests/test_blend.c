@@ -121,7 +121,7 @@ plane_error(int nu, int nv)
 		wb += w[k]*b[k];
 		wc += w[k]*c[k];
 	}
-	blendmetric(3, w, m, &out);
+	blendmetric(3, w, m, NULL, &out);
 	sample_plane(g, wa, wb, wc, &want);
 	measure(g, &want);
 	most = inner_distance(g, to.lambda, want.lambda);
@@ -196,18 +196,18 @@ simple_blends(void **state)
 		of[0].phi[2][p] = sin(of[0].phi[0][p]);
 	measure(g, &of[0]);
 	of[1] = of[0];
-	blendmetric(2, w, m, &out);
+	blendmetric(2, w, m, NULL, &out);
 	assert_true(inner_distance(g, to.H, of[0].H) < 1e-13 && inner_distance(g, to.tau[0], of[0].tau[0]) < 1e-12);
 	for (p = 0; p < g.nu*g.nv; p++) {
 		of[1].lambda[p] *= 2 + sin(p);
 		of[1].H[p] = cos(p);
 	}
-	blendmetric(2, one, m, &out);
+	blendmetric(2, one, m, NULL, &out);
 	assert_memory_equal(to.tau[1], of[1].tau[1], g.nu*g.nv*sizeof(double));
 	for (k = 0; k < 2; k++)
 		m[k].nu[0] = NULL;
 	out.nu[0] = NULL;
-	blendmetric(2, w, m, &out);
+	blendmetric(2, w, m, NULL, &out);
 	for (p = 0; p < g.nu*g.nv; p++) {
 		l = pow(of[0].lambda[p], 0.25)*pow(of[1].lambda[p], 0.75);
 		c = (0.25*pow(of[0].lambda[p], 2)*of[0].H[p] + 0.75*pow(of[1].lambda[p], 2)*of[1].H[p])/(l*l);

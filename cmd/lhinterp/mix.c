@@ -6,6 +6,7 @@
 #include "../../lib/base/field.h"
 #include "../../lib/morph/blend.h"
 #include "../../lib/morph/blendmetric.h"
+#include "../../lib/morph/borderlength.h"
 #include "../../lib/morph/cap.h"
 #include "../shared/chartof.h"
 #include "../shared/range.h"
@@ -103,15 +104,34 @@ sum_channel(const Morph *m, const double *w, const LhgChannel *c, double *f)
 	free(of);
 }
 
+/* What log lambda gains by the length of the border of the blend. */
 static void
-mix_metric(const Morph *m, const double *w, Lhg *g)
+border_change(const Morph *m, const double *w, const Border *border, double *e)
 {
-	Metric *of = cmd_alloc(m->n, sizeof *of), to = metric_of(m, g);
+	const Border **of = cmd_alloc(m->n, sizeof *of);
 	int k;
 
 	for (k = 0; k < m->n; k++)
+		of[k] = &m->s[k].border;
+	if (borderlength(m->n, w, of, border, e))
+		die("no memory for the borders of %d x %d nodes", border->g.nu, border->g.nv);
+	free(of);
+}
+
+static void
+mix_metric(const Morph *m, const double *w, const Border *border, Lhg *g)
+{
+	Metric *of = cmd_alloc(m->n, sizeof *of), to = metric_of(m, g);
+	double *e = border ? cmd_alloc((size_t)g->nu*g->nv, sizeof *e) : NULL;
+	int k;
+
+	if (e)
+		border_change(m, w, border, e);
+
+	for (k = 0; k < m->n; k++)
 		of[k] = metric_of(m, &m->s[k].g);
-	blendmetric(m->n, w, of, &to);
+	blendmetric(m->n, w, of, e, &to);
+	free(e);
 	free(of);
 }
 
@@ -149,39 +169,47 @@ watch(Morph *m, const double *w, int k, Lhg *g)
 		die("no memory for the cap of %d x %d nodes", g->nu, g->nv);
 }
 
-/* Weights below 0 lead outside the grids, where lambda or T need not be positive. */
+/* Weights below 0 lead outside the grids, where lambda need not be positive. */
 static void
 check_blend(const Lhg *g)
 {
 	const LhgChannel *lambda = lhg_find(g, "lambda");
 	size_t p;
 
-	if (!(g->T > 0))
-		die("the weights give a height T of %g", g->T);
 	for (p = 0; p < lambda->n; p++)
 		if (!(lambda->f[p] > 0 && isfinite(lambda->f[p])))
 			die("the weights give lambda %g at node (%zu,%zu), must be positive", lambda->f[p], p%g->nu, p/g->nu);
 }
 
-void
-mix_channels(Morph *m, const double *w, int k, Lhg *g)
+double
+mix_height(const Morph *m, const double *w)
 {
-	const double **T = cmd_alloc(m->n, sizeof *T);
+	const double **of = cmd_alloc(m->n, sizeof *of);
+	double T;
+	int k;
+
+	for (k = 0; k < m->n; k++)
+		of[k] = &m->s[k].g.T;
+	blend(1, m->n, w, of, &T);
+	free(of);
+	if (!(T > 0))
+		die("the weights give a height T of %g", T);
+	return T;
+}
+
+void
+mix_channels(Morph *m, const double *w, int k, const Border *border, Lhg *g)
+{
 	const LhgChannel *c;
 	double *f;
-	int i;
 
-	for (i = 0; i < m->n; i++)
-		T[i] = &m->s[i].g.T;
-	blend(1, m->n, w, T, &g->T);
-	free(T);
 	for (c = m->s->g.chan; c < m->s->g.chan + m->s->g.nchan; c++) {
 		f = cmd_add(g, c->name, c->unit, c->support, c->step);
 		if (m->o->rule == MORPH_LINEAR || !is_by_rule(c->name))
 			sum_channel(m, w, c, f);
 	}
 	if (m->o->rule != MORPH_LINEAR)
-		mix_metric(m, w, g);
+		mix_metric(m, w, border, g);
 	check_blend(g);
 	if (m->work && blend_single(m->n, w) < 0)
 		watch(m, w, k, g);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../../lib/morph/blend.h"
 #include "../shared/borderread.h"
 #include "../shared/chartof.h"
 #include "../shared/place.h"
@@ -124,20 +125,53 @@ morph_open(Morph *m, int n, char *const path[], const MorphOptions *o)
 	mix_begin(m);
 }
 
-/* The border of g was interpolated between the points of A and B at the same (u,v).  Moves it to the
- * border that the landmarks define (matching.h), and the other positions along with it (coons.h). */
+/* x = the weighted sum of the borders, [n][3], node by node. */
 static void
-follow_landmarks(const Morph *m, double t, Lhg *g)
+sum_borders(const Morph *m, const double *w, double *x)
 {
-	const Border *a = &m->s[0].border, *b = &m->s[1].border;
-	double *d = cmd_alloc(a->n, 3*sizeof *d);
-	int k, c;
+	const double **of = cmd_alloc(m->n, sizeof *of);
+	int k;
 
-	for (k = 0; k < a->n; k++) {
-		matching_at(&m->s[1].match, t, border_place(a, k), d + 3*k);
-		for (c = 0; c < 3; c++)
-			d[3*k+c] -= (1 - t)*a->x[3*k+c] + t*b->x[3*k+c];
-	}
+	for (k = 0; k < m->n; k++)
+		of[k] = m->s[k].border.x;
+	blend(3*(size_t)m->s->border.n, m->n, w, of, x);
+	free(of);
+}
+
+/* Whether the landmarks, not the nodes, say which border points of A and B correspond in a blend. */
+static int
+has_landmarks(const Morph *m, const double *w)
+{
+	return m->o->landmarks && w[1] > 0 && w[1] < 1;
+}
+
+/* The border of the blend: by the landmarks (matching.h), or between points of equal place. */
+static void
+blend_border(const Morph *m, const double *w, Chart g, Border *b)
+{
+	const Border *a = &m->s->border;
+	int k;
+
+	if (border_init(b, g))
+		die("no memory for the border of %d x %d nodes", g.nu, g.nv);
+	sum_borders(m, w, b->x);
+	for (k = 0; k < b->n && has_landmarks(m, w); k++)
+		matching_at(&m->s[1].match, w[1], border_place(a, k), b->x + 3*k);
+	if (border_measure(b))
+		die("the blend of the boundaries has no length");
+}
+
+/* The border of g was blended between points at the same (u,v).  Moves it to `border`, and the other positions
+ * along with it (coons.h). */
+static void
+follow_border(const Morph *m, const double *w, const Border *border, Lhg *g)
+{
+	double *d = cmd_alloc(border->n, 3*sizeof *d);
+	int k;
+
+	sum_borders(m, w, d);
+	for (k = 0; k < 3*border->n; k++)
+		d[k] = border->x[k] - d[k];
 	positions_shift(g, d);
 	free(d);
 }
@@ -145,11 +179,17 @@ follow_landmarks(const Morph *m, double t, Lhg *g)
 void
 morph_blend(Morph *m, const double *w, int k, int frames, Lhg *g)
 {
+	Border border = { .x = NULL };
+
 	lhg_init(g, m->s->g.nu, m->s->g.nv, m->s->g.T);
+	g->T = mix_height(m, w);
 	g->chart = m->s->g.chart;
-	mix_channels(m, w, k, g);
-	if (m->o->landmarks && w[1] > 0 && w[1] < 1)
-		follow_landmarks(m, w[1], g);
+	if (m->has_border)
+		blend_border(m, w, chart_of(g), &border);
+	mix_channels(m, w, k, m->has_border ? &border : NULL, g);
+	if (has_landmarks(m, w))
+		follow_border(m, w, &border, g);
+	border_free(&border);
 	merge_text(m, w, g);
 	g->frame = k;
 	g->frames = frames;

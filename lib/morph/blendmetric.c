@@ -148,7 +148,7 @@ copy(const Metric *from, const Metric *to)
 }
 
 void
-blendmetric(int count, const double *w, const Metric *of, const Metric *to)
+blendmetric(int count, const double *w, const Metric *of, const double *e, const Metric *to)
 {
 	int single = blend_single(count, w), i, j;
 	size_t n = (size_t)to->g.nu*to->g.nv, p;
@@ -158,11 +158,16 @@ blendmetric(int count, const double *w, const Metric *of, const Metric *to)
 		return;
 	}
 #pragma omp parallel for schedule(static)
-	for (p = 0; p < n; p++)
+	for (p = 0; p < n; p++) {
 		if (to->nu[0])
 			metric_node(count, w, of, to, p);
 		else
 			conformal_node(count, w, of, to, p);
+		if (e) {
+			to->lambda[p] *= exp(e[p]);
+			to->H[p] /= exp(e[p]);
+		}
+	}
 	if (!to->nu[0])
 		return;
 #pragma omp parallel for schedule(static) private(i)

@@ -26,9 +26,10 @@ typedef struct Metric {
 } Metric;
 
 /* Sets the fields of `to` from those of `count` surfaces on charts of equal kind and size; all of them
- * have residual channels, or none.  The weights sum to 1; negative ones extrapolate.  lambda > 0.  If one
- * weight is 1 and all others are 0, the fields are copies. */
-void blendmetric(int count, const double *w, const Metric *of, const Metric *to);
+ * have residual channels, or none.  The weights sum to 1; negative ones extrapolate.  lambda > 0.  log lambda gains
+ * e, [nv][nu], or nothing if e is NULL; lambda H stays.  If one weight is 1 and all others are 0, the fields are copies,
+ * whatever e is. */
+void blendmetric(int count, const double *w, const Metric *of, const double *e, const Metric *to);
 
 /* tau of the metric of m at the inner node (i,j), by the formulas above, of second order in h and k. */
 void blendmetric_tau(const Metric *m, int i, int j, double tau[2]);
