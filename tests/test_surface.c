@@ -513,20 +513,21 @@ too_few_steps_are_reported(void **state)
 
 /* Fits a surface to lambda and H of a torus after noise of the given size was added to H. */
 static FitProgress
-fit_noisy(double size, double tolerance)
+fit_noisy(double size, double tolerance, double settled)
 {
-	const FitOptions o = { .tolerance = tolerance, .most = 400 };
+	const FitOptions o = { .tolerance = tolerance, .most = 400, .settled = settled };
 	Surface s = given(torus, COARSE);
 	Misfit m;
 	unsigned long long seed = 5;
 	FitProgress at = { 0 };
-	int p;
+	int p, r;
 
 	for (p = 0; p < COARSE.nu*COARSE.nv; p++)
 		H[p] += size*noise(&seed);
 	m = misfit_of(&s);
 	memcpy(found, truth, sizeof truth);
-	assert_int_equal(fit(&m, &o, found, &at), 1);
+	r = fit(&m, &o, found, &at);
+	assert_int_equal(r, at.stopped != 0);
 	misfit_free(&m);
 	return at;
 }
@@ -536,7 +537,7 @@ fit_noisy(double size, double tolerance)
 static void
 fit_says_how_it_ended(void **state)
 {
-	FitProgress little = fit_noisy(1, 1e-6), more = fit_noisy(3, 1e-6), much = fit_noisy(100, 1e-6);
+	FitProgress little = fit_noisy(1, 1e-6, 0), more = fit_noisy(3, 1e-6, 0), much = fit_noisy(100, 1e-6, 0), on;
 
 	(void)state;
 	assert_int_equal(little.stopped, FIT_CONVERGED);
@@ -544,6 +545,9 @@ fit_says_how_it_ended(void **state)
 	assert_true(fabs(more.misfit/little.misfit/9 - 1) < 0.1);
 	assert_int_equal(much.stopped, FIT_CREPT);
 	assert_true(much.crept > 0);
+	on = fit_noisy(100, 1e-6, 0.5*much.crept);              /* goes on until it moves less */
+	assert_true(on.step > much.step && on.energy < much.energy);
+	assert_true(on.stopped != FIT_CREPT || on.crept <= 0.5*much.crept);
 }
 
 /* If the energy overflows, surface() does not report convergence. */

@@ -18,9 +18,8 @@
  * multiplied by this; where the channels may be those of no surface, only once the misfit is near 0. */
 static const double EXACT = 1e-4;
 
-/* If the steps crept, the surface is refused when the sum of the changes of the last ten, over
- * sqrt(area), is above this: UNSETTLED times the tolerance (or times USUAL, if that is larger), so that
- * the mean step was longer than one that counts as converged.  With a free boundary surfaces bend at
+/* Creeping steps go on while the sum of the changes of the last ten, over sqrt(area), is above this: UNSETTLED times
+ * the tolerance (or times USUAL, if that is larger), so that the mean step is longer than one that counts as converged.  With a free boundary surfaces bend at
  * hardly any cost, and the bound is UNSETTLED_FREE. */
 static const double UNSETTLED = 10, UNSETTLED_FREE = 0.01, USUAL = SURFACEFIT_TOLERANCE;
 
@@ -213,17 +212,12 @@ seconds(void)
 	return t.tv_sec + 1e-9*t.tv_nsec;
 }
 
-/* If the steps crept, prints a note, or dies if the surface is not known well enough. */
 static void
-say_crept(const CmdInput *in, const SurfaceFit *o, int is_free, const FitProgress *at)
+say_crept(const CmdInput *in, const FitProgress *at)
 {
-	if (at->stopped != FIT_CREPT)
-		return;
-	if (at->crept > (is_free ? UNSETTLED_FREE : UNSETTLED*fmax(o->tolerance, USUAL)))
-		die("%s: no convergence: the last steps hardly lower the energy, %.4g, but move the surface by %.2g of "
-		    "sqrt(area); try fewer cells, or a stronger filter", in->name, at->energy, at->crept);
-	note("%s: the last steps crept: energy %.4g, moved by %.1e of sqrt(area) (metadatum stopped)", in->name,
-	    at->energy, at->crept);
+	if (at->stopped == FIT_CREPT)
+		note("%s: the last steps crept: energy %.4g, moved by %.1e of sqrt(area) (metadatum stopped)", in->name,
+		    at->energy, at->crept);
 }
 
 void
@@ -259,6 +253,7 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 	s.filtered = lhg_getmeta(g, "waves", value, sizeof value) != NULL;
 	s.free = o->free && !s.g.kind->closed;
 	s.adrift = s.g.kind->closed ? s.start && !s.place : s.free && !surfacefit_rings(g, o);
+	how.settled = s.free ? UNSETTLED_FREE : UNSETTLED*fmax(o->tolerance, USUAL);
 	s.where = s.g.kind->closed ? o->where ? o->where : full : NULL;
 	if (s.free && (g->nu < 3 || g->nv < 3))
 		die("%s: %d x %d nodes, a free boundary needs at least 3 x 3", in->name, g->nu, g->nv);
@@ -275,11 +270,12 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 		if (s.exact && !s.free && at->stopped && !(at->misfit <= FIT_EXACT))
 			die("%s: the fit ends at another surface than the one of the residual channels: misfit %.2g, not 0; "
 			    "try other cells, or --ideal", in->name, at->misfit);
-		say_crept(in, o, s.free, at);
+		say_crept(in, at);
 		break;
 	case 0:
-		die("%s: no convergence in %d steps: energy %.4g, change %.2g, the largest residual at node (%d,%d)",
-	    in->name, at->step, at->energy, at->change, (int)(at->worst%g->nu), (int)(at->worst/g->nu));
+		die("%s: no convergence in %d steps: energy %.4g, change %.2g, the largest residual at node (%d,%d); "
+		    "try fewer cells, or a stronger filter", in->name, at->step, at->energy, at->change,
+		    (int)(at->worst%g->nu), (int)(at->worst/g->nu));
 	case SURFACE_ESTART: die("%s: no start, and none is found from the band", in->name);
 	case SURFACE_EPLACE: die("%s: the %s is too large to place the surface by it", in->name,
 		s.adrift ? "start" : "band");

@@ -132,7 +132,8 @@ tolerance_at(const FitOptions *o, double E, size_t nodes)
 }
 
 /* A shortened step says nothing about convergence, unless the last ten steps together barely lowered
- * E or barely moved: with data that belong to no surface, steps can creep for ever.  Nor does a step
+ * E or barely moved: with data that belong to no surface, steps can creep for ever.  Those that still move the surface
+ * far (o->settled) go on.  Nor does a step
  * only just below the tolerance while E is still falling fast; nor, with residues, one that halves E
  * on its way to FIT_NEAR.  If CG reached its limit of steps, the step may lack slow components; then it
  * counts only when E hardly falls any more.
@@ -142,13 +143,15 @@ static int
 converged(const FitOptions *o, const Outcome *is, double E, size_t nodes, double moved, const Past *past)
 {
 	int then = past->steps%TEN, last = (past->steps - 1)%TEN;
+	double moves = moved - past->moved[then];
+	int wanders = is->cut && o->settled > 0 && moves > o->settled;
 	double tolerance = tolerance_at(o, E, nodes);
 	double flat = o->exact && E <= FIT_EXACT*nodes ? 0 : is->spent ? STILL : FAST;
 
 	if (E < ROUNDING*nodes)
 		return FIT_CONVERGED;
 	if (past->steps >= TEN
-	    && (past->E[then] - E < CREEP*past->E[then] || moved - past->moved[then] < tolerance))
+	    && ((past->E[then] - E < CREEP*past->E[then] && !wanders) || moves < tolerance))
 		return is->cut ? FIT_CREPT : FIT_CONVERGED;
 	if (is->cut || (o->fine > 0 && E > FIT_NEAR*nodes && E < past->E[last]/2))
 		return 0;

@@ -53,6 +53,8 @@ typedef struct FitOptions {
 	                                 * have an exact fit, to which the last steps converge fast */
 	int    most;                    /* steps at most */
 	double flat;                    /* converged when the predicted decrease is below flat*E */
+	double settled;                 /* 0, or creeping steps go on until the last ten moved the surface by at
+	                                 * most this in all */
 	int    sharpen;                 /* adapt w and alpha to the data */
 	const FitWeights *exact;        /* NULL, or these weights are used: the residues are of the same
 	                                 * surface as lambda and H, where E is 0 for any weights.  Once E is
