@@ -24,12 +24,17 @@ steps(const int joined[2], int n, int i)
 }
 
 double
-corner_share_within(Chart g, int radius, int i, int j)
+corner_fade(double r)
 {
-	double r = hypot(steps(g.kind->joined[0], g.nu, i), steps(g.kind->joined[1], g.nv, j));
-	double x = (r/radius - NEAR)/(1 - NEAR);
+	double x = (r - NEAR)/(1 - NEAR);
 
 	return x <= 0 ? 1 : x < 1 ? 1 - x*x*(3 - 2*x) : 0;
+}
+
+double
+corner_share_within(Chart g, int radius, int i, int j)
+{
+	return corner_fade(hypot(steps(g.kind->joined[0], g.nu, i), steps(g.kind->joined[1], g.nv, j))/radius);
 }
 
 double

@@ -14,7 +14,10 @@ int corner_radius(Chart g);
  * smooth between. */
 double corner_share(Chart g, int i, int j);
 
-/* The same with another radius, in cells. */
+/* 1 up to 0.3, 0 from 1 on, smooth between. */
+double corner_fade(double r);
+
+/* The same as corner_share with another radius, in cells. */
 double corner_share_within(Chart g, int radius, int i, int j);
 
 #endif

@@ -3,12 +3,10 @@
 #include <string.h>
 
 #include "../base/corner.h"
-#include "../base/field.h"
 #include "../grid/cornerfold.h"
 #include "../grid/cornerunfold.h"
-#include "../grid/stencil.h"
-#include "../poisson/plate.h"
 #include "cornersmooth.h"
+#include "harmonicshare.h"
 
 static const double DEGENERATE = 0.5;   /* lambda counts as going to 0 at a corner if the weight o of
                                          * the inner node next to it is below this */
@@ -24,19 +22,16 @@ wants(const Misfit *m, int k, const double *const phi[3])
 	return (!m->place && m->o[corner_node(m->g, k, 1, 1)] < DEGENERATE) || corner_folds(m->g, k, phi, radius);
 }
 
-/* Sets z to the share of Delta phi that d takes away around corner k: -Delta d of cornersmooth.h. */
+/* Sets x of cornersmooth.h at the inner nodes around corner k. */
 static void
-add_source(Chart g, int k, const double *const phi[3], double *z)
+set_share(Chart g, int k, double *x)
 {
-	int radius = corner_radius(g), a, b, c, p;
-	double lap[3];
+	int radius = corner_radius(g), a, b, p;
 
 	for (b = 1; b < radius; b++)
 		for (a = 1; a < radius; a++) {
 			p = corner_node(g, k, a, b);
-			stencil_laplacian(g, phi, p%g.nu, p/g.nu, lap);
-			for (c = 0; c < 3; c++)
-				z[(size_t)c*g.nu*g.nv + p] = corner_share(g, p%g.nu, p/g.nu)*lap[c];
+			x[p] = corner_share(g, p%g.nu, p/g.nu);
 		}
 }
 
@@ -59,21 +54,16 @@ blend_with_place(const Misfit *m, double *phi)
 static int
 smooth(const Misfit *m, const int which[4], const double *phi, double *to)
 {
-	size_t all = (size_t)m->g.nu*m->g.nv;
-	const double *const x[3] = { phi, phi + all, phi + 2*all };
-	Plate plate;
-	int k;
+	double *share = calloc((size_t)m->g.nu*m->g.nv, sizeof *share);
+	int k, e = share ? 0 : CORNERSMOOTH_ENOMEM;
 
-	if (plate_init(&plate, m->g, 0))
-		return CORNERSMOOTH_ENOMEM;
-	memset(to, 0, 3*all*sizeof *to);
-	for (k = 0; k < 4; k++)
+	for (k = 0; k < 4 && !e; k++)
 		if (which[k])
-			add_source(m->g, k, x, to);
-	plate_solve(&plate, 0, 1, 0, to);
-	field_add(3*all, 1, phi, to);
-	plate_free(&plate);
-	return 0;
+			set_share(m->g, k, share);
+	if (!e && harmonic_share(m->g, share, phi, to))
+		e = CORNERSMOOTH_ENOMEM;
+	free(share);
+	return e;
 }
 
 /* Clears in `which` the corners that smoothing does not help: those with folded cells that do not become

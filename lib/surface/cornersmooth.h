@@ -6,8 +6,7 @@
  *
  *   Delta d = -x Delta phi,      d = 0 on the border,
  *
- * with x = corner_share (corner.h).  Delta (phi + d) then goes to 0 at the corner; d is harmonic where x
- * is 0, so there is no seam.  Cells that are still folded, between ragged borders, are turned back
+ * with x = corner_share (corner.h).  Delta (phi + d) then goes to 0 at the corner (harmonicshare.h).  Cells that are still folded, between ragged borders, are turned back
  * (cornerunfold.h).  If the misfit has a place, phi is first blended into it around the corners.
  * doc/mathematics.md 6.9. */
 #ifndef CORNERSMOOTH_H

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "anchor.h"
+#include "bordersmooth.h"
 #include "cornersmooth.h"
 #include "fitexact.h"
 #include "level.h"
@@ -72,6 +73,8 @@ fit_finest(const Surface *s, double unit, const Level *l, const MisfitPlace *pla
 		r = fitexact(l->g, l->lambda2, l->l2H, s->residue, o, l->phi, at);
 	} else
 		r = fit_level(s, l, 1, place, o, at);
+	if (r > 0 && s->residue && at->misfit > FIT_NEAR && border_smooth(s->g, l->phi))
+		r = SURFACE_ENOMEM;
 	for (p = 0; s->detail && p < n; p++)
 		s->detail[p] = (l->phi[p] - s->detail[p])*unit;
 	return r;
@@ -122,6 +125,7 @@ approach(const Surface *s, const Level *l, const FitOptions *o, FitProgress *at)
 	few.tolerance = ENOUGH;
 	few.most = STAGE;
 	few.sharpen = 0;
+	few.settled = 0;
 	few.flat = FLAT_COARSE;
 	for (k = 1; r >= 0 && k <= stages; k++) {
 		if (start_between(l, k/(stages + 1.0), between.lambda2, between.l2H))
@@ -172,7 +176,7 @@ descend(const Surface *s, double unit, const Level *l, const FitOptions *o, doub
 	if (l->phi == finest)
 		return fit_finest(s, unit, l, NULL, &last, at);
 	coarse.tolerance = o->tolerance > ENOUGH ? o->tolerance : ENOUGH;
-	coarse.fine = 0;
+	coarse.fine = coarse.settled = 0;
 	coarse.most = ROUGH;
 	coarse.sharpen = 0;
 	coarse.flat = s->free ? FLAT : FLAT_COARSE;
