@@ -160,8 +160,8 @@ check_intrinsic(const Disk *d, const int vertex[4])
 	intrinsic_map_free(&m);
 }
 
-/* Whether the disk of this seed is left out without SOAK: it takes two seconds or more (seeds 20, 27,
- * 37 and 41 take 20 or more), or a few of its triangles stay turned over in --uv (15 and 28). */
+/* Whether the disk of this seed is left out without SOAK: it takes two seconds or more, or a few
+ * of its triangles stay turned over in --uv (15 and 28). */
 static int
 is_slow(uint64_t seed)
 {
