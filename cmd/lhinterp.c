@@ -34,6 +34,7 @@ static const char text[] =
 "                     order that fits best\n"
 CMD_USAGE
 "By the rule metric lambda is also brought to the length of the border, which is blended in space.\n"
+"Places (place.x ..) are not blended; with residual channels they become the start, on all nodes.\n"
 "With more than two grids, each is scaled and moved like B.\n"
 "Metadata that are equal in all grids are kept, others are removed; t or weights is added.  The history\n"
 "has the steps of all, marked A, B, ..  Without landmarks a note is printed if B's boundary would\n"

@@ -288,6 +288,32 @@ assert near(ga["lambda"]*ga["H"], mean(lambda x: x["lambda"]*x["H"]))' "$tmp/a" 
 	try 2 'rule=cubic: need metric or linear' /dev/null lhinterp --rule=cubic -t 0.5 "$tmp/a" "$tmp/b"
 }
 
+@test "places become the start of a blend with residual channels, and are dropped otherwise" {
+	mesh2rect -q -n 70x64 "$tmp/a.off" -o "$tmp/a.large"
+	mesh2rect -q -n 70x64 --like="$tmp/a.phi" "$tmp/b.off" -o "$tmp/b.large"
+	grid2lh --residual "$tmp/a.large" -o "$tmp/a.place"
+	grid2lh --residual "$tmp/b.large" -o "$tmp/b.place"
+	grid2lh --residual --no-place "$tmp/b.large" -o "$tmp/b.without"
+	grid2lh "$tmp/a.large" -o "$tmp/a.plain"
+	lhinterp -q -t 0.25 "$tmp/a.place" "$tmp/b.place" -o "$tmp/m"
+	lhinterp -q -t 0.25 "$tmp/a.place" "$tmp/b.without" -o "$tmp/one"
+	python 'a, b, m, one, start = (read(f)[0] for f in sys.argv[1:])
+for c in "xyz":
+    s = m.channels["start." + c]
+    assert "place." + c not in m.channels and (s.support, s.step) == ("lattice", 1)
+    want = (0.75*a["place." + c] + 0.25*b["place." + c]).ravel()
+    assert abs(s.data - want).max() < 1e-14*abs(want).max()
+    assert "place." + c not in one.channels
+    assert one.channels["start." + c].step == start.channels["start." + c].step > 1
+' "$tmp/a.place" "$tmp/b.place" "$tmp/m" "$tmp/one" "$tmp/b.without"
+	lhinterp -q -t 0.25 "$tmp/a.plain" "$tmp/a.plain" -o "$tmp/m"
+	python 'm, a = (read(f)[0] for f in sys.argv[1:])
+assert "place.x" not in m.channels and m.channels["start.x"].step == a.channels["start.x"].step' "$tmp/m" "$tmp/a.plain"
+	# from such a start the ends are the surfaces themselves
+	lhinterp -q -t 1 "$tmp/a.place" "$tmp/b.place" | lh2grid -q -o "$tmp/end"
+	below "$(error_of "$tmp/b.large" "$tmp/end" max_rel)" 1e-10
+}
+
 @test "-w is the weighted mean of many; one weight is for all; weights below 0 exaggerate" {
 	mkmesh -n 800 face nose=1.3 | mesh2rect -q -n 24x20 --like="$tmp/a.phi" | grid2lh --no-place --residual -o "$tmp/c.all"
 	lhinterp -q -w 1,2,5 --rule=linear "$tmp/a.all" "$tmp/b.all" "$tmp/c.all" -o "$tmp/mean"

@@ -83,7 +83,6 @@ bring_in_line(const Morph *m, Source *b)
 	const Source *a = m->s;
 
 	check_nodes(a, b);
-	place_drop(&b->g);
 	check_channels(a, b);
 	if (m->has_border)
 		match(a, b, m->o->landmarks);
@@ -96,6 +95,22 @@ bring_in_line(const Morph *m, Source *b)
 		quarters_check(&a->in, &a->border, &b->in, &b->border, m->o->align);
 	if (m->o->align)
 		align(a, b);
+}
+
+/* A blend of positions is not a filtered surface: places go.  With residual channels they become the start, if
+ * all grids have one: a warped grid has other surfaces near its own, and a coarse start may lead to these. */
+static void
+take_places(Morph *m)
+{
+	int k, all = 1;
+
+	for (k = 0; k < m->n; k++)
+		all = all && lhg_find(&m->s[k].g, "nu1") && place_starts(&m->s[k].in, &m->s[k].g, 0);
+	for (k = 0; k < m->n; k++) {
+		if (all)
+			place_starts(&m->s[k].in, &m->s[k].g, 1);
+		place_drop(&m->s[k].g);
+	}
 }
 
 void
@@ -111,7 +126,7 @@ morph_open(Morph *m, int n, char *const path[], const MorphOptions *o)
 		if (k)
 			check_nodes(m->s, &m->s[k]);
 	}
-	place_drop(&m->s->g);           /* a blend of positions is not a filtered surface */
+	take_places(m);
 	cmd_need(&m->s->in, &m->s->g, "lambda", LHG_GRID);
 	cmd_need(&m->s->in, &m->s->g, "H", LHG_GRID);
 	closed = chart_of(&m->s->g).kind->closed;

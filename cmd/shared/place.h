@@ -10,6 +10,10 @@ extern const char *const PLACE[3];
  * complete or out of range (range.h). */
 int  place_of(const CmdInput *in, const Lhg *g, double *f[3]);
 
+/* Whether g has a place, and a start on a lattice.  With `change` this start becomes the place: the same
+ * positions on all nodes. */
+int  place_starts(const CmdInput *in, Lhg *g, int change);
+
 /* Removes the place of g, and the metadata scale and relief that say how it was filtered. */
 void place_drop(Lhg *g);
 

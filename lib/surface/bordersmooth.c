@@ -4,15 +4,21 @@
 #include <string.h>
 
 #include "../base/corner.h"
+#include "../grid/cornerfold.h"
+#include "../grid/cornerunfold.h"
 #include "../grid/fold.h"
 #include "bordersmooth.h"
 #include "harmonicshare.h"
 
-enum { MOST = 6 };      /* solves; 1 to 3 unfold faces */
+enum {
+	MOST = 9,       /* solves; 1 to 3 unfold most faces */
+	LEAST = 2       /* the smallest reach */
+};
 
 typedef struct Work {
 	Chart g;
-	int   radius;
+	int   radius;                   /* of the part of the grid that is looked at, in cells from the border */
+	int   reach;                    /* of the smoothing, in cells from a folded one */
 	double *share;                  /* [nv][nu] x */
 	double *to;                     /* [3][nv][nu] */
 	unsigned char *folded;          /* [nv][nu] */
@@ -31,7 +37,7 @@ count_folds(const Work *w, const double *phi)
 static void
 raise_share(const Work *w, int i, int j)
 {
-	int a, b, r = w->radius;
+	int a, b, r = w->reach;
 	size_t p;
 
 	for (b = j - r; b <= j + r + 1; b++)
@@ -55,27 +61,46 @@ set_share(const Work *w)
 			raise_share(w, (int)(p%w->g.nu), (int)(p/w->g.nu));
 }
 
+/* Turns back what is left at the corners. */
+static void
+unfold_corners(Chart g, double *phi)
+{
+	size_t n = (size_t)g.nu*g.nv;
+	double *const x[3] = { phi, phi + n, phi + 2*n };
+	const double *const fixed[3] = { phi, phi + n, phi + 2*n };
+	int k, radius = corner_radius(g);
+
+	for (k = 0; k < 4; k++)
+		if (corner_exists(g, k) && corner_folds(g, k, fixed, radius))
+			corner_unfold(g, k, x, radius);
+}
+
 int
 border_smooth(Chart g, double *phi)
 {
 	size_t n = (size_t)g.nu*g.nv;
-	Work w = { g, corner_radius(g), malloc(n*sizeof(double)), malloc(3*n*sizeof(double)), malloc(n) };
+	Work w = { g, corner_radius(g), corner_radius(g), malloc(n*sizeof(double)), malloc(3*n*sizeof(double)), malloc(n) };
 	int e = w.share && w.to && w.folded ? 0 : BORDERSMOOTH_ENOMEM, k, folds = 0, after;
 
 	if (!e)
 		folds = count_folds(&w, phi);
-	for (k = 0; !e && folds && k < MOST; k++) {
+	for (k = 0; !e && folds && k < MOST && w.reach >= LEAST; k++) {
 		set_share(&w);
 		if (harmonic_share(g, w.share, phi, w.to)) {
 			e = BORDERSMOOTH_ENOMEM;
 			break;
 		}
 		after = count_folds(&w, w.to);
-		if (after >= folds)
-			break;
+		if (after >= folds) {
+			w.reach /= 2;
+			count_folds(&w, phi);
+			continue;
+		}
 		memcpy(phi, w.to, 3*n*sizeof *phi);
 		folds = after;
 	}
+	if (!e && folds)
+		unfold_corners(g, phi);
 	free(w.share);
 	free(w.to);
 	free(w.folded);

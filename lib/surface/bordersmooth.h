@@ -15,7 +15,7 @@
 enum { BORDERSMOOTH_ENOMEM = -1 };
 
 /* Smooths phi, [3][nv][nu], at the cells within corner_radius of an open side that are folded (fold.h), until none
- * is, or they become no fewer.  Without such cells phi keeps its bits.  Returns 0 or BORDERSMOOTH_ENOMEM. */
+ * is, or they become no fewer; then moves single nodes where a corner is still folded (cornerunfold.h).  Without such cells phi keeps its bits.  Returns 0 or BORDERSMOOTH_ENOMEM. */
 int border_smooth(Chart g, double *phi);
 
 #endif
