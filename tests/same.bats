@@ -78,3 +78,19 @@ same() {
 	mkmesh -n 50 rectangle a=1 b=0.7 | grep -q '[0-9],[0-9]' && return 1
 	mesh2rect -n 4 --corners='0.1,0.2,0;1,0,0;1,0.7,0;0,0.7,0' <(mkmesh -n 50 rectangle a=1 b=0.7) >/dev/null
 }
+
+# OpenBLAS has loops for each kind of processor, and takes those that it is told.
+@test "on another processor the results are the same up to rounding" {
+	pipeline() {
+		mesh2rect -q -n 96 face.off | tee "$1.phi" | grid2lh | lhfft --scale=2% | lh2grid -q --no-history -o "$1.smooth"
+		lhwarp -q "$1.phi" other | grid2lh --residual -o "$1.b"
+		grid2lh --residual "$1.phi" | lhinterp -q -t 0.5 - "$1.b" | lh2grid -q --no-history -o "$1.morph"
+	}
+	cd "$tmp"
+	pipeline here
+	for kind in Nehalem Prescott; do
+		OPENBLAS_CORETYPE=$kind pipeline there
+		below "$(error_of here.smooth there.smooth max_rel)" 1e-10
+		below "$(error_of here.morph there.morph max_rel)" 1e-10
+	done
+}
