@@ -23,6 +23,8 @@ static const char text[] =
 "                     lambda and H (21)-(22), and the residual channels [metric]\n"
 "      --cap          lower lambda where the blend has a Gauss curvature above H^2, which no surface\n"
 "                     has: against jumps of a morph.  Without residual channels only\n"
+"      --boundary=held|free  held: lambda (rule metric) follows the length of the boundary,\n"
+"                     which is blended in space; free: not, for lh2grid --boundary=free [held]\n"
 "  -l, --landmarks=FILE  match the boundaries by landmarks (below), not by equal place on the\n"
 "                     rectangle; for -t and -n\n"
 "  -s, --scale        first scale B about the origin to the area of A: channels in length are\n"
@@ -33,7 +35,6 @@ static const char text[] =
 "                     by all nodes of the start, over the area, and with the cones of B in the\n"
 "                     order that fits best\n"
 CMD_USAGE
-"By the rule metric lambda is also brought to the length of the border, which is blended in space.\n"
 "Places (place.x ..) are not blended; with residual channels they become the start, on all nodes.\n"
 "With more than two grids, each is scaled and moved like B.\n"
 "Metadata that are equal in all grids are kept, others are removed; t or weights is added.  The history\n"
@@ -41,7 +42,7 @@ CMD_USAGE
 "fit A's clearly better with another of its corners first, or a closed B with its cones in\n"
 "another order (--align).  A and B should have the same unit\n"
 "of length and similar size; otherwise there is no good surface between them.  Memory: one grid\n"
-"more than are read, and four channels, for any number of frames.\n"
+"more than are read, and four channels.\n"
 "FILE has one landmark on each line, at least one, in counterclockwise order.  A landmark is\n"
 "two numbers, a place on the boundary of A and one on that of B; or six, a point x y z for A\n"
 "and one for B, each replaced by the nearest boundary point.  A place, 0 <= place < 4, is the\n"
@@ -65,6 +66,7 @@ static const struct option longopt[] = {
 	{ "align",     no_argument,       NULL, 'a' },
 	{ "rule",      required_argument, NULL, 'r' },
 	{ "cap",       no_argument,       NULL, 'c' },
+	{ "boundary",  required_argument, NULL, 'b' },
 	CMD_LONGOPT
 };
 
@@ -120,6 +122,7 @@ main(int argc, char *argv[])
 		case 'e': ease = 1; break;
 		case 'r': o.rule = opt_word(optarg, "metric\0linear\0", "rule"); break;
 		case 'c': o.cap = 1; break;
+		case 'b': o.free = opt_word(optarg, "held\0free\0", "boundary"); break;
 		case 'l': o.landmarks = optarg; break;
 		case 's': o.scale = 1; break;
 		case 'a': o.align = 1; break;

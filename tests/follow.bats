@@ -6,7 +6,7 @@ setup_file() {
 	export tmp="$BATS_FILE_TMPDIR"
 	mkmesh -n 1500 spiral turns=2 | mesh2rect -q -n 40x10 | grid2lh -o "$tmp/spiral"
 	mkmesh -n 1500 moebius R=3 width=2.2 | mesh2rect -q -n 40x10 | grid2lh -o "$tmp/moebius"
-	lhinterp -q --align -n 12 "$tmp/spiral" "$tmp/moebius" -o "$tmp/morph"
+	lhinterp -q --align --boundary=free -n 12 "$tmp/spiral" "$tmp/moebius" -o "$tmp/morph"
 }
 
 # crossing FILE: prints "N of M" if N of the M frames have crossing faces.
@@ -33,6 +33,15 @@ crossing() {
 	mesh2rect -q -n 24 <(mkmesh -n 500 cap) | grid2lh --no-lattice -o "$tmp/bare"
 	lhinterp -q -n 3 "$tmp/bare" "$tmp/bare" | lh2grid --follow -v -o "$tmp/c" 2>"$tmp/said"
 	[ "$(grep -c 'vector Poisson' "$tmp/said")" = 3 ]
+}
+
+@test "a blend whose lambda follows its boundary is noted with a free one" {
+	lhinterp -q -t 0.5 "$tmp/spiral" "$tmp/spiral" -o "$tmp/held"
+	[ "$(lhinfo "$tmp/held" | grep -c 'meta boundary held')" = 1 ]
+	try 0 'follows the length of the boundary: for a free one, lhinterp --boundary=free' /dev/null lh2grid --boundary=free "$tmp/held" -o "$tmp/a"
+	lhinterp -q --boundary=free -t 0.5 "$tmp/spiral" "$tmp/spiral" | lh2grid --boundary=free 2>"$tmp/said" >/dev/null
+	[ ! -s "$tmp/said" ]
+	try 2 'boundary=loose: need held or free' /dev/null lhinterp --boundary=loose -t 0.5 "$tmp/spiral" "$tmp/spiral"
 }
 
 @test "options that --follow excludes are refused" {

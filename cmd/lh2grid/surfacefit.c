@@ -255,6 +255,8 @@ surfacefit(const CmdInput *in, const Lhg *g, const SurfaceFit *o, double *phi, F
 	s.adrift = s.g.kind->closed ? s.start && !s.place : s.free && !surfacefit_rings(g, o);
 	how.settled = s.free ? UNSETTLED_FREE : UNSETTLED*fmax(o->tolerance, USUAL);
 	s.where = s.g.kind->closed ? o->where ? o->where : full : NULL;
+	if (s.free && lhg_getmeta(g, "boundary", value, sizeof value) && strcmp(value, "held") == 0)
+		note("%s: lambda follows the length of the boundary: for a free one, lhinterp --boundary=free", in->name);
 	if (s.free && (g->nu < 3 || g->nv < 3))
 		die("%s: %d x %d nodes, a free boundary needs at least 3 x 3", in->name, g->nu, g->nv);
 	if (read_residue(in, g, o, &residue)) {

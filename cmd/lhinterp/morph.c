@@ -160,6 +160,13 @@ has_landmarks(const Morph *m, const double *w)
 	return m->o->landmarks && w[1] > 0 && w[1] < 1;
 }
 
+/* Whether the blend's lambda was brought to the length of its border. */
+static int
+follows_border(const Morph *m, const double *w)
+{
+	return m->has_border && !m->o->free && m->o->rule == MORPH_METRIC && blend_single(m->n, w) < 0;
+}
+
 /* The border of the blend: by the landmarks (matching.h), or between points of equal place. */
 static void
 blend_border(const Morph *m, const double *w, Chart g, Border *b)
@@ -201,11 +208,13 @@ morph_blend(Morph *m, const double *w, int k, int frames, Lhg *g)
 	g->chart = m->s->g.chart;
 	if (m->has_border)
 		blend_border(m, w, chart_of(g), &border);
-	mix_channels(m, w, k, m->has_border ? &border : NULL, g);
+	mix_channels(m, w, k, m->has_border && !m->o->free ? &border : NULL, g);
 	if (has_landmarks(m, w))
 		follow_border(m, w, &border, g);
 	border_free(&border);
 	merge_text(m, w, g);
+	if (follows_border(m, w))
+		cmd_meta(g, "boundary", "held");
 	g->frame = k;
 	g->frames = frames;
 }

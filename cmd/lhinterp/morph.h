@@ -22,6 +22,7 @@ typedef struct Source {
 typedef struct MorphOptions {
 	const char *landmarks;  /* a file, or NULL; for two grids */
 	int scale, align, cap;  /* whether --scale, --align, --cap are given */
+	int free;               /* 1: lambda does not follow the length of the border */
 	int rule;
 } MorphOptions;
 
