@@ -168,7 +168,7 @@ map_disk(const Disk *d, const int corner[4], Chart g, const ConformalOptions *op
 		die("triangles of the mesh are too large on the sphere: a larger --split, a smaller --tolerance%s",
 		    options->cone[0] < 0 ? "" : ", or other --cones");
 	case CONFORMAL_ECHI2:
-		if (options->like.phi[0])
+		if (options->like.phi[0] && options->cone[0] < 0)
 			die("chi^2 %.3g is above %g: nearly all nodes lie on a small part of the surface, so it is too unlike that "
 			    "of --like: --cones, or --force", c->chi2[1], options->chi2);
 		die("chi^2 %.3g is above %g: more than four long limbs, or cones away from their tips, so nearly all "

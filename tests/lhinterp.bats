@@ -428,3 +428,12 @@ assert both[0].meta["warped"] == "0.1 0.5" and first[0].meta["warped"] == "0.2 0
 	grid2lh -v "$tmp/far.phi" 2>"$tmp/said" >/dev/null
 	grep -q 'far.phi: the grid is warped, so H is' "$tmp/said"
 }
+
+@test "a blend of boundaries that is a point is refused, unless the boundary is free" {
+	python 'g = read(sys.argv[1])[0]
+for c in "xyz": g["band." + c][:] *= -1
+lhg.write(sys.argv[2], [g])' "$tmp/a" "$tmp/mirror"
+	try 1 'frame 1: the blend of the boundaries is a point: --align' /dev/null lhinterp -q -t 0.5 "$tmp/a" "$tmp/mirror"
+	lhinterp -q --boundary=free -n 3 "$tmp/a" "$tmp/mirror" >"$tmp/out"
+	lhinterp -q --align -n 3 "$tmp/a" "$tmp/mirror" >"$tmp/out"
+}

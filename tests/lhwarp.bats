@@ -127,6 +127,7 @@ for name, side, ripple in (sys.argv[1], 1, 0), (sys.argv[2], -1, .012):
 	try 2 '.no-normals needs --landmarks' /dev/null lhwarp --no-normals "$tmp/a" "$tmp/b"
 	try 2 'max-mu=1: need a number in \[0.01,0.99\]' /dev/null lhwarp --max-mu=1 "$tmp/a" "$tmp/b"
 	try 1 'is on a sock; lhwarp takes rectangles only: mesh2rect --chart=rectangle' /dev/null lhwarp "$tmp/a" "$tmp/sock"
+	try 1 'is on a pillow; lhwarp takes rectangles only: mesh2rect --like' /dev/null lhwarp "$tmp/a" <(mkmesh -n 500 sphere | mesh2rect -q -n 16)
 	grid2lh "$tmp/b" -o "$tmp/lh"
 	try 1 'no channel x' /dev/null lhwarp "$tmp/a" "$tmp/lh"
 	echo 'one two' >"$tmp/bad"

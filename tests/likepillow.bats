@@ -115,11 +115,16 @@ assert away(sys.argv[2]) < .15, away(sys.argv[2])' "$tmp/a" "$tmp/b"
 for c in "xyz": g[c][...] = 1
 lhg.write(sys.argv[2], [g])' "$tmp/a" "$tmp/point"
 	try 1 'no position on the surface of --like' /dev/null mesh2rect --like="$tmp/point" "$tmp/bumpy.off"
+	python 'g = lhg.Grid(4, 4, 1.0, chart="pillow")
+for c in "xyz": g.channels[c] = lhg.Channel(np.random.default_rng(0).random((4, 4)), "length")
+lhg.write(sys.argv[1], [g])' "$tmp/few"
+	try 1 'few: 4 x 4 nodes, --like needs at least 6 x 6' /dev/null mesh2rect --like="$tmp/few" "$tmp/bumpy.off"
 	python 'g = grid(sys.argv[1]); g.T = 1e-4; lhg.write(sys.argv[2], [g])' "$tmp/a" "$tmp/low"
 	try 1 'low: the height T is .*, not in' /dev/null mesh2rect --like="$tmp/low" "$tmp/bumpy.off"
 	try 1 'several grids' /dev/null mesh2rect --like=<(cat "$tmp/a" "$tmp/a") "$tmp/bumpy.off"
 	mkmesh -n 3000 ellipsoid a=6 b=1 c=1 -o "$tmp/needle.off"
 	try 1 'chi.2 .* is above 100: .* too unlike that of --like: --cones, or --force' /dev/null mesh2rect --like="$tmp/a" "$tmp/needle.off"
+	try 1 'chi.2 .* is above 100: .*other --cones, or --force' /dev/null mesh2rect --cones=0,1,2 --like="$tmp/a" "$tmp/needle.off"
 	mesh2rect --force --max-loss=1 --like="$tmp/a" "$tmp/needle.off" -o "$tmp/needle" 2>"$tmp/err"
 	grep -q 'of their size apart: too unlike for corresponding cones' "$tmp/err"
 }

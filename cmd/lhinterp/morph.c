@@ -169,7 +169,7 @@ follows_border(const Morph *m, const double *w)
 
 /* The border of the blend: by the landmarks (matching.h), or between points of equal place. */
 static void
-blend_border(const Morph *m, const double *w, Chart g, Border *b)
+blend_border(const Morph *m, const double *w, int frame, Chart g, Border *b)
 {
 	const Border *a = &m->s->border;
 	int k;
@@ -179,8 +179,8 @@ blend_border(const Morph *m, const double *w, Chart g, Border *b)
 	sum_borders(m, w, b->x);
 	for (k = 0; k < b->n && has_landmarks(m, w); k++)
 		matching_at(&m->s[1].match, w[1], border_place(a, k), b->x + 3*k);
-	if (border_measure(b))
-		die("the blend of the boundaries has no length");
+	if (border_measure(b) && !m->o->free)
+		die("frame %d: the blend of the boundaries is a point: --align moves them onto each other first", frame);
 }
 
 /* The border of g was blended between points at the same (u,v).  Moves it to `border`, and the other positions
@@ -207,7 +207,7 @@ morph_blend(Morph *m, const double *w, int k, int frames, Lhg *g)
 	g->T = mix_height(m, w);
 	g->chart = m->s->g.chart;
 	if (m->has_border)
-		blend_border(m, w, chart_of(g), &border);
+		blend_border(m, w, k, chart_of(g), &border);
 	mix_channels(m, w, k, m->has_border && !m->o->free ? &border : NULL, g);
 	if (has_landmarks(m, w))
 		follow_border(m, w, &border, g);

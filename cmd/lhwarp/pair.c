@@ -60,8 +60,8 @@ side_open(Side *s, const char *path, const char *mesh)
 	cmd_open(&s->in, path);
 	cmd_read_one(&s->in, &s->g);
 	if (s->g.chart != LHG_RECTANGLE)
-		die("%s: is on a %s; lhwarp takes rectangles only: mesh2rect --chart=rectangle", s->in.name,
-		    lhg_chartname(s->g.chart));
+		die("%s: is on a %s; lhwarp takes rectangles only: mesh2rect --%s", s->in.name, lhg_chartname(s->g.chart),
+		    s->g.chart == LHG_PILLOW ? "like brings closed surfaces to one chart" : "chart=rectangle");
 	for (c = 0; c < 3; c++)
 		s->phi[c] = cmd_need(&s->in, &s->g, xyz[c], LHG_GRID);
 	for (k = 0; k < s->g.nchan; k++)

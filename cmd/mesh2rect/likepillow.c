@@ -5,6 +5,8 @@
 #include "../shared/range.h"
 #include "likepillow.h"
 
+enum { LEAST = 6 };      /* nodes in each direction, for splines round the cones */
+
 static const double CLEAR = 1.25;       /* a fit with more than this times the distance of the best is clearly worse */
 static const double FAR = 0.3;          /* a distance, over that from the middle, from which on surfaces are unlike */
 
@@ -31,6 +33,8 @@ likepillow_read(const char *path, const char *mesh, LikePillow *l, Chart *g, Con
 	if (l->g.chart != LHG_PILLOW)
 		die("%s: is on a %s; --like needs a pillow, as %s is a closed surface", l->in.name,
 		    lhg_chartname(l->g.chart), mesh);
+	if (l->g.nu < LEAST || l->g.nv < LEAST)
+		die("%s: %d x %d nodes, --like needs at least %d x %d on a pillow", l->in.name, l->g.nu, l->g.nv, LEAST, LEAST);
 	range_height(&l->in, &l->g);
 	find_positions(&l->in, &l->g, o->like.phi);
 	o->like.g = chart_of(&l->g);
