@@ -46,7 +46,7 @@ CMD_USAGE
 "square root of the area apart).  For very different ones it saves a tenth, and another of the\n"
 "surfaces that fit such data may be found (two teeth: 0.1 to 0.4 % apart).\n"
 "The metadata misfit, change and stopped say how well it fits and how the steps ended.  Steps\n"
-"that creep, cut short, go on while ten move the surface by over 10 X, at least 5e-4 (free: .01);\n"
+"that creep go on while the last ten move the surface by over 10 X, at least 5e-4 (free: .01);\n"
 "then they are noted.  Without convergence nothing is written.  The metadatum\n"
 "deviation is the largest distance from an unfiltered place; over 1 % is noted.\n"
 "Memory: 31 numbers for each node, up to 61 where the grid leaves much unresolved; in all 25 to\n"

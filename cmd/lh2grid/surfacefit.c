@@ -19,8 +19,8 @@
 static const double EXACT = 1e-4;
 
 /* Creeping steps go on while the sum of the changes of the last ten, over sqrt(area), is above this: UNSETTLED times
- * the tolerance (or times USUAL, if that is larger), so that the mean step is longer than one that counts as converged.  With a free boundary surfaces bend at
- * hardly any cost, and the bound is UNSETTLED_FREE. */
+ * the tolerance (or times USUAL, if that is larger), so that the mean step is longer than one that counts as
+ * converged.  With a free boundary surfaces bend at hardly any cost, and the bound is UNSETTLED_FREE. */
 static const double UNSETTLED = 10, UNSETTLED_FREE = 0.01, USUAL = SURFACEFIT_TOLERANCE;
 
 enum { LATTICE = 32 };          /* steps of a lattice along its shorter side, as grid2lh writes it */

@@ -14,9 +14,9 @@ void opt_uv(const char *file, const char *mesh);
 void uv_set_aside(Soup *s, Channels *own);
 
 /* Write to FILE, or die: s, the vertices and polygons as the mesh file has them, with their (u,v) and
- * their offsets from the grid phi, and the channels `own`, which become part of s, but for those of which s has the name.  d is the disk made from s; u and v are those of its vertices.  To
- * be called before cmd_write, because only one output can be open at a time, and a program that reads
- * the grid from a pipe then finds FILE complete. */
+ * their offsets from the grid phi, and the channels `own`, which become part of s, but for those whose name s
+ * has already.  d is the disk made from s; u and v are those of its vertices.  To be called before cmd_write, because
+ * only one output can be open at a time, and a program that reads the grid from a pipe then finds FILE complete. */
 void uv_write(const char *file, Soup *s, Channels *own, const Disk *d, const double *u, const double *v, Chart g,
 	const double *const phi[3]);
 

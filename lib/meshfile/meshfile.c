@@ -144,7 +144,8 @@ parse_unpacked(Soup *s, const char *p, size_t n, const MeshParse *how)
 	const MeshStart m = beginning_of(p, n, n, n);
 	Reader r = { .p = m.p, .end = m.p + m.n, .line = 1, .s = s, .most = how->most, .unused = m.n,
 		.read_uv = (how->what & MESHFILE_UV) != 0, .loose = (how->what & MESHFILE_LOOSE) != 0,
-		.fields = (how->what & MESHFILE_FIELDS) != 0, .normals = (how->what & MESHFILE_NORMALS) != 0, .beside = how->beside, .most_beside = how->most };
+		.fields = (how->what & MESHFILE_FIELDS) != 0, .normals = (how->what & MESHFILE_NORMALS) != 0,
+		.beside = how->beside, .most_beside = how->most };
 	const MeshFormat *format;
 	char list[MESHFORMAT_LIST];
 	int e;

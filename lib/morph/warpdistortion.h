@@ -7,8 +7,8 @@
  *   |Df|^2/(2J) - 1 + 0.1 (J + 1/J - 2),     |Df|^2/(2J) = (1 + |mu|^2)/(1 - |mu|^2),
  *
  * mu the Beltrami coefficient; and, where d = |Df|^2/(2J) - 1 of f with f_v times `stretch` exceeds a limit,
- * stiff (d - limit)^2: so a few places of large |mu| are held without making all others stiff.  Infinite where J <= 1e-3: so a map of finite distortion whose border
- * goes round the border of the rectangle once is bijective.
+ * stiff (d - limit)^2: so a few places of large |mu| are held without making all others stiff.  Infinite where
+ * J <= 1e-3: so a map of finite distortion whose border goes round the border of the rectangle once is bijective.
  */
 #ifndef WARPDISTORTION_H
 #define WARPDISTORTION_H
