@@ -358,6 +358,13 @@ lhg.write(open(sys.argv[2], "wb"), [g])' "$tmp/b" "$tmp/away"
 for c in a.channels: assert abs(a[c] - b[c]).max() < 1e-9*abs(a[c]).max(), c' "$tmp/here" "$tmp/there"
 	try 2 '2 weights for 3 grids'                   /dev/null lhinterp -w 1,1 a b c
 	try 2 'the sum of the weights is 0, must be positive' /dev/null lhinterp -w 1,-2,1 a b c
+	try 2 'the sum of the weights is 1e-07, must be positive, above 1e-06 of' /dev/null lhinterp -w 3,-2.9999999 a b
+	python 'import subprocess
+for f in sys.argv[1:3]:
+    g = read(f)[0]; g["lambda"][:] *= 100; g["H"][:] /= 100; lhg.write(sys.argv[3], [g])
+    for o in ("86,-85", "-85,86"):
+        r = subprocess.run(["lhinterp", "-q", "-w", o, f, sys.argv[3]], capture_output=True, text=True)
+        assert r.returncode == 1 and not r.stdout and "not in 1e-60 .. 1e+60" in r.stderr, r' "$tmp/a" "$tmp/a.all" "$tmp/large"
 	try 2 'the sum of the weights is -1'            /dev/null lhinterp -w 1,-2 a b
 	try 2 'landmarks is for -t and -n'              /dev/null lhinterp -w 1 --landmarks=x a b
 	try 2 'ease is for -t and -n'                   /dev/null lhinterp -w 1 --ease a b

@@ -15,6 +15,8 @@
 static const char *const BY_RULE[] = { "lambda", "H", "nu1", "nu2", "tau1", "tau2" };
 enum { FIELDS = sizeof BY_RULE/sizeof *BY_RULE };
 
+static const double LEAST = 1e-60, MOST = 1e60;        /* of lambda, as range.h has it */
+
 static const double FAR = 1;    /* excess beyond the grids' that is noted; jumps were seen from 1.3 on, none
                                  * below 0.8.  A round sphere with H = 0 has 4 pi */
 
@@ -169,7 +171,7 @@ watch(Morph *m, const double *w, int k, Lhg *g)
 		die("no memory for the cap of %d x %d nodes", g->nu, g->nv);
 }
 
-/* Weights below 0 lead outside the grids, where lambda need not be positive. */
+/* Weights below 0 lead outside the grids, where lambda need not be positive, or its square a number. */
 static void
 check_blend(const Lhg *g)
 {
@@ -177,8 +179,9 @@ check_blend(const Lhg *g)
 	size_t p;
 
 	for (p = 0; p < lambda->n; p++)
-		if (!(lambda->f[p] > 0 && isfinite(lambda->f[p])))
-			die("the weights give lambda %g at node (%zu,%zu), must be positive", lambda->f[p], p%g->nu, p/g->nu);
+		if (!(lambda->f[p] >= LEAST && lambda->f[p] <= MOST))
+			die("the weights give lambda %g at node (%zu,%zu), not in %g .. %g: those below 0 have to be nearer to 0",
+			    lambda->f[p], p%g->nu, p/g->nu, LEAST, MOST);
 }
 
 double
@@ -193,7 +196,7 @@ mix_height(const Morph *m, const double *w)
 	blend(1, m->n, w, of, &T);
 	free(of);
 	if (!(T > 0))
-		die("the weights give a height T of %g", T);
+		die("the weights give a height T of %g, must be positive: those below 0 have to be nearer to 0", T);
 	return T;
 }
 

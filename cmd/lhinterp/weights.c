@@ -38,7 +38,7 @@ weights_of(double *w, int n, int grids)
 		size += fabs(all[k]);
 	}
 	if (!(sum > SMALL*size))
-		misuse("the sum of the weights is %g, must be positive", sum);
+		misuse("the sum of the weights is %g, must be positive, above %g of the sum of their absolute values", sum, SMALL);
 	for (k = 0; k < grids; k++)
 		all[k] /= sum;
 	free(w);
