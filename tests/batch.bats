@@ -4,6 +4,7 @@ load helper
 load slurm
 
 setup() {
+	! sanitized || skip "make and the shell have no sanitizers; the programs are tested with them elsewhere"
 	PATH=$PWD/scripts:$PATH
 	unset MAKEFLAGS MFLAGS MAKELEVEL        # of the make that runs the tests
 	here=$PWD

@@ -56,3 +56,6 @@ below() {
 	awk -v x="$1" -v y="$2" 'BEGIN { exit !(x ~ /^[0-9.e+-]+$/ && x + 0 < y + 0) }' ||
 		{ echo "$1 is not below $2"; return 1; }
 }
+
+# Whether the programs have sanitizers: BUILD is then a folder in another.
+sanitized() { case $BUILD in */*) true ;; *) false ;; esac; }

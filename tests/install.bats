@@ -3,8 +3,6 @@
 load helper
 
 # A library with sanitizers serves only programs that have them too.
-sanitized() { case $BUILD in */*) true ;; *) false ;; esac; }
-
 setup() { ! sanitized || skip "what is installed has no sanitizers"; }
 
 setup_file() {

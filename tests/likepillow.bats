@@ -131,6 +131,7 @@ lhg.write(sys.argv[1], [g])' "$tmp/few"
 
 @test "two skulls of finches, however the second lies in space" {
 	[ -d "$meshes/formats" ] || skip "no meshes in $meshes"
+	! sanitized || skip "as above, with meshes that take too long with sanitizers"
 	mesh2rect -q -n 96 "$meshes/formats/finch_skull_binary.stl" -o "$tmp/skull"
 	mesh2disk -q "$meshes/bad/binary_bird_skull.stl" -o "$tmp/bird.off"
 	turned "$tmp/bird.off" "$tmp/bird-turned.off"
