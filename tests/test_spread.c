@@ -52,7 +52,7 @@ static void
 without_nan(void **state)
 {
 	unsigned char known[NV] = { 1, 1 };
-	double f[NV] = { NAN, 5 }, g[NV] = { NAN, INFINITY };
+	double f[NV] = { NAN, 5 }, g[NV] = { NAN, INFINITY }, h[NV] = { 1e308, 1.7e308 };
 	Spread a;
 
 	(void)state;
@@ -60,6 +60,8 @@ without_nan(void **state)
 	assert_int_equal(spread_init(&a, &strip, known), 0);
 	spread_mean(&a, 1, f);
 	spread_mean(&a, 1, g);
+	spread_mean(&a, 1, h);                  /* their sums are too large for a double */
+	assert_true(fabs(h[2]/((1 + 1.7 + 1.7)/3*1e308) - 1) < 1e-15);
 	assert_float_equal(f[2], 5, 0);
 	assert_float_equal(f[7], 5, 0);
 	assert_true(isnan(g[2]) && isnan(g[7]));

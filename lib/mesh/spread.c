@@ -172,21 +172,33 @@ spread_free(Spread *a)
 	*a = (Spread){ .n = 0 };
 }
 
+/* The mean of the finite numbers at the neighbours of vertex[q], times `scale`; f + n*v is the number at v. */
+static double
+mean(const Spread *a, int q, int n, const double *f, double scale)
+{
+	double sum = 0;
+	int i, count = 0;
+
+	for (i = a->first[q]; i < a->first[q+1]; i++) {
+		const double x = f[(size_t)n*(size_t)a->near[i]];
+
+		if (isfinite(x))
+			sum += x*scale, count++;
+	}
+	return count ? sum/count : NAN;
+}
+
 void
 spread_mean(const Spread *a, int n, double *f)
 {
-	double sum;
-	int q, i, k, count;
+	int q, k;
 
 	for (q = 0; q < a->n; q++)
 		for (k = 0; k < n; k++) {
-			for (sum = 0, count = 0, i = a->first[q]; i < a->first[q+1]; i++) {
-				const double x = f[(size_t)n*(size_t)a->near[i] + (size_t)k];
+			double x = mean(a, q, n, f + k, 1);
 
-				if (isfinite(x))
-					sum += x, count++;
-			}
-			f[(size_t)n*(size_t)a->vertex[q] + (size_t)k] = count ? sum/count : NAN;
+			/* a sum may be too large for a double where no number is */
+			f[(size_t)n*(size_t)a->vertex[q] + (size_t)k] = isinf(x) ? mean(a, q, n, f + k, 0x1p-32)*0x1p32 : x;
 		}
 }
 
