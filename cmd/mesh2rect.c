@@ -324,7 +324,7 @@ main(int argc, char *argv[])
 	cones_meta(&out, &d, &c);
 	quality_facts(&out, s.facts);
 	cones_chi2(name, &d, &c);
-	noted = loss_report(&out, name, r.most_lost, &d, &c);
+	noted = loss_report(&out, name, r.most_lost, r.like, &d, &c);
 	cones_note(name, &c, noted);
 	quality_notes(name, r.uv, &d, &r.options, &c);
 	if (r.uv)

@@ -127,6 +127,7 @@ lhg.write(sys.argv[1], [g])' "$tmp/few"
 	try 1 'chi.2 .* is above 100: .*other --cones, or --force' /dev/null mesh2rect --cones=0,1,2 --like="$tmp/a" "$tmp/needle.off"
 	mesh2rect --force --max-loss=1 --like="$tmp/a" "$tmp/needle.off" -o "$tmp/needle" 2>"$tmp/err"
 	grep -q 'of their size apart: too unlike for corresponding cones' "$tmp/err"
+	grep -q ': more cells (of the grid of --like), other --cones' "$tmp/err"
 }
 
 @test "two skulls of finches, however the second lies in space" {

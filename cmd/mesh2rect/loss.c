@@ -10,7 +10,7 @@ static const double NOTED = 0.01;       /* a loss is noted above this share of t
                                          * above this share of its square root */
 
 int
-loss_report(Lhg *out, const char *mesh, double most, const Disk *d, const Conformal *c)
+loss_report(Lhg *out, const char *mesh, double most, const char *like, const Disk *d, const Conformal *c)
 {
 	char what[200], sock[80] = "";
 	int noted;
@@ -32,7 +32,7 @@ loss_report(Lhg *out, const char *mesh, double most, const Disk *d, const Confor
 	if (cones_help(c))
 		snprintf(sock, sizeof sock, "--chart=sock (chi^2 %.3g, on the rectangle %.3g), ", c->chi2[1], c->chi2[0]);
 	if (noted)
-		note("%s: the grid holds %s: %smore cells (-n auto), other %s or a part of the mesh alone "
-		    "lose less", mesh, what, sock, c->grid.g.kind->closed ? "--cones" : "corners (-c)");
+		note("%s: the grid holds %s: %smore cells (%s), other %s or a part of the mesh alone lose less", mesh, what, sock,
+		    like && c->grid.g.kind->joined[1][0] ? "of the grid of --like" : "-n auto", c->grid.g.kind->closed ? "--cones" : "corners (-c)");
 	return noted;
 }
