@@ -5,7 +5,7 @@
  *
  *   Delta d = -x Delta phi,      d = 0 on the border,
  *
- * x being 1 at folded cells and 0 from corner_radius cells on: so it becomes harmonic there, and remains as smooth as it
+ * x being 1 at folded cells and 0 from corner_radius cells on, or from half of that where this leaves folds: so it becomes harmonic there, and remains as smooth as it
  * was around.  doc/mathematics.md 6.9. */
 #ifndef BORDERSMOOTH_H
 #define BORDERSMOOTH_H
@@ -15,7 +15,8 @@
 enum { BORDERSMOOTH_ENOMEM = -1 };
 
 /* Smooths phi, [3][nv][nu], at the cells within corner_radius of an open side that are folded (fold.h), until none
- * is, or they become no fewer; then moves single nodes where a corner is still folded (cornerunfold.h).  Without such cells phi keeps its bits.  Returns 0 or BORDERSMOOTH_ENOMEM. */
+ * is, or they become no fewer; then moves single nodes where a corner is still folded (cornerunfold.h).  Without
+ * such cells phi keeps its bits.  Returns 0 or BORDERSMOOTH_ENOMEM. */
 int border_smooth(Chart g, double *phi);
 
 #endif

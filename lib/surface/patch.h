@@ -38,8 +38,8 @@ typedef struct Patch {
 
 /* Chooses S: the nodes with o < 0.3, the smallest first, at most 1 % of all (none if the boundary is
  * free); those beside cones where the first two lines have more than four times their weight, or 1.5 times
- * with a place (misfit_set_firm); and the neighbours of all these.  Without such nodes, nodes is 0.  m must outlive p.  Returns 0 or PATCH_ENOMEM; p then holds
- * nothing to free. */
+ * with a place (misfit_set_firm); and the neighbours of all these.  Without such nodes,
+ * nodes is 0.  m must outlive p.  Returns 0 or PATCH_ENOMEM; p then holds nothing to free. */
 int  patch_init(Patch *p, const Misfit *m);
 void patch_free(Patch *p);
 
