@@ -5,8 +5,8 @@
  *
  *   Delta d = -x Delta phi,      d = 0 on the border,
  *
- * x being 1 at folded cells and 0 from corner_radius cells on, or from half of that where this leaves folds: so it becomes harmonic there, and remains as smooth as it
- * was around.  doc/mathematics.md 6.9. */
+ * x being 1 at folded cells and 0 from corner_radius cells on, or from half of that where this leaves folds: so it
+ * becomes harmonic there, and remains as smooth as it was around.  doc/mathematics.md 6.9. */
 #ifndef BORDERSMOOTH_H
 #define BORDERSMOOTH_H
 
