@@ -4,6 +4,7 @@ load helper
 
 @test "every command of the tutorial runs, from an installation" {
 	local work=$tmp/tutorial root=$tmp/root/usr
+	! sanitized || skip "what is installed has no sanitizers"
 	mkdir -p "$work"
 	(unset MAKEFLAGS MFLAGS MAKELEVEL; make -s BUILD="$BUILD" DESTDIR="$tmp/root" PREFIX=/usr install)
 	PATH=$root/bin:${PATH#*:}               # the installed programs, not those of the source folder
