@@ -3,15 +3,14 @@
 
 #include <string.h>
 
-#include "../lib/base/stats.h"
 #include "../lib/base/torusplane.h"
-#include "../lib/grid/lambdah.h"
 #include "../lib/map/gridlaplace.h"
 #include "../lib/map/pillowpolish.h"
 #include "../lib/map/pillowshift.h"
 #include "charted.h"
 #include "closedball.h"
 #include "pillowball.h"
+#include "pillowmu.h"
 
 /* How far apart two points of the sphere are, in units of the distance s of a cone from 0 or infinity. */
 static double
@@ -134,17 +133,6 @@ distort(const double x[3], double y[3])
 	r = sqrt(y[0]*y[0] + y[1]*y[1] + y[2]*y[2]);
 	for (c = 0; c < 3; c++)
 		y[c] /= r;
-}
-
-static double
-mean_mu(const PillowGrid *a)
-{
-	double *mu = malloc(a->g.nu*a->g.nv*sizeof *mu), mean;
-
-	beltrami(a->g, (const double *const *)a->phi, mu);
-	mean = stats_mean(a->g.nu*a->g.nv, mu);
-	free(mu);
-	return mean;
 }
 
 /* A round sphere, mapped by a map that is not conformal: the polish makes the grid conformal, although the true modulus of the cones

@@ -4,13 +4,12 @@
 
 #include "cmock.h"
 
-#include "../lib/base/stats.h"
 #include "../lib/base/vec3.h"
-#include "../lib/grid/lambdah.h"
 #include "../lib/map/pillowpolish.h"
 #include "../lib/map/spherelike.h"
 #include "closedball.h"
 #include "pillowball.h"
+#include "pillowmu.h"
 
 static const Chart GRID = { 96, 60, 0.62, &CHART_PILLOW };
 
@@ -139,17 +138,6 @@ given_cones_become_those_of_the_pillow(void **state)
 	free(phi[0]);
 	free(W);
 	disk_free(&d);
-}
-
-static double
-mean_mu(const PillowGrid *a)
-{
-	double *mu = malloc(a->g.nu*a->g.nv*sizeof *mu), mean;
-
-	beltrami(a->g, (const double *const *)a->phi, mu);
-	mean = stats_mean(a->g.nu*a->g.nv, mu);
-	free(mu);
-	return mean;
 }
 
 /* The same surface on pillows of other heights: their grids are made conformal, and their heights stay. */

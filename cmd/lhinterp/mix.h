@@ -14,7 +14,7 @@ void mix_note(const Morph *m);
 double mix_height(const Morph *m, const double *w);
 
 /* Adds the channels of the blend of the grids of m, frame k, to g.  border is that of the blend, measured,
- * or NULL if the grids have none. */
+ * or NULL if lambda does not follow it. */
 void mix_channels(Morph *m, const double *w, int k, const Border *border, Lhg *g);
 
 #endif

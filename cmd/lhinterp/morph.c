@@ -208,7 +208,7 @@ morph_blend(Morph *m, const double *w, int k, int frames, Lhg *g)
 	g->chart = m->s->g.chart;
 	if (m->has_border)
 		blend_border(m, w, k, chart_of(g), &border);
-	mix_channels(m, w, k, m->has_border && !m->o->free ? &border : NULL, g);
+	mix_channels(m, w, k, follows_border(m, w) ? &border : NULL, g);
 	if (has_landmarks(m, w))
 		follow_border(m, w, &border, g);
 	border_free(&border);

@@ -49,8 +49,8 @@ int meshfile_parse(Soup *s, const void *bytes, size_t n, size_t most);
 
 /* Reads files beside a mesh file that hold a part of it. */
 typedef struct MeshBeside {
-	/* Reads the file `name` from byte `from` on.  Sets *bytes, malloc'd, to `want` bytes, or to fewer if the file ends
-	 * earlier, and *n to their number.  The name is relative to the folder of the mesh, and has no folder "..".  Returns 0, or
+	/* Reads `want` bytes of the file `name`, the first being number `from`; fewer if the file ends earlier.  Sets
+	 * *bytes, malloc'd, to them and *n to their number.  The name is relative to the folder of the mesh, and has no folder "..".  Returns 0, or
 	 * MESH_ENOMEM or MESH_EFORMAT with the reason in err and nothing to free. */
 	int (*read)(const void *arg, const char *name, unsigned long long from, size_t want, char **bytes, size_t *n,
 		char err[MESH_ERRLEN]);

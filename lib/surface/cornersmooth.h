@@ -7,7 +7,8 @@
  *   Delta d = -x Delta phi,      d = 0 on the border,
  *
  * with x = corner_share (corner.h).  Delta (phi + d) then goes to 0 at the corner (harmonicshare.h).  Cells that are
- * still folded, between ragged borders, are turned back (cornerunfold.h).  If the misfit has a place, phi is first blended into it around the corners.
+ * still folded, between ragged borders, are turned back (cornerunfold.h).  If the misfit has a place, phi is
+ * first blended into it around the corners.
  * doc/mathematics.md 6.9. */
 #ifndef CORNERSMOOTH_H
 #define CORNERSMOOTH_H
